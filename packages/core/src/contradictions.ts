@@ -1,0 +1,39 @@
+/** What must hold between the fields of one node, beyond each field's own range. */
+import { cross, length, subtract, type Vec3 } from './vector.ts';
+
+type NodeValues = { readonly [field: string]: unknown };
+
+const parallel = (a: unknown, b: unknown): boolean => length(cross(unit(a), unit(b))) < Number.EPSILON;
+
+const unit = (v: unknown): Vec3 => {
+  const [x, y, z] = v as Vec3;
+  const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) || 1;
+  return [x / largest, y / largest, z / largest];
+};
+
+const rules: { readonly [label: string]: (node: NodeValues) => readonly (string | false)[] } = {
+  plane: ({ normal, tangent }) => [
+    !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
+  ],
+  camera: ({ position, target, up }) => {
+    if (!position) return [];
+    const forward = subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3);
+    if (length(forward) === 0) return ['target must not be the position: the camera would look nowhere'];
+    return [!!up && parallel(forward, up) && 'up must not be parallel to the direction of view'];
+  },
+  'directional light': ({ direction, position, target }) => [
+    !!direction && !!(position || target) && 'takes a direction, or a position and a target, not both',
+    !!target && !position && 'a target needs a position',
+    position && length(subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3)) === 0
+      ? 'target must not be the position: the light would go nowhere'
+      : false,
+  ],
+  environment: ({ color, top, bottom }) => [
+    !!color && !!(top || bottom) && 'takes a color, or top and bottom, not both',
+    !color && !!top !== !!bottom && 'top and bottom belong together',
+  ],
+};
+
+/** One sentence for each thing that does not fit together in a node. */
+export const contradiction = (label: string, node: NodeValues): readonly string[] =>
+  (rules[label]?.(node) ?? []).filter((problem) => problem !== false);

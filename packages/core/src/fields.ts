@@ -1,0 +1,221 @@
+/** Kinds of fields: how each is read from JSON or from the text of an attribute, and how its JSON Schema looks. */
+import { readColor } from './color.ts';
+import { nearestWord } from './nearest-word.ts';
+import type { Vec3 } from './vector.ts';
+
+/** A JSON Schema (draft 2020-12) as plain data. */
+export type JsonSchema = { readonly [keyword: string]: unknown };
+
+/** What a value should have been: `a number above 0`. Returned instead of a value that cannot be read. */
+export class Mismatch {
+  readonly message: string;
+  constructor(message: string) {
+    this.message = message;
+  }
+}
+
+/** By the name of a shader feature: whether a value needs it. */
+export type Switches<T> = { readonly [feature: string]: (value: T) => boolean };
+
+/** One field of a scene node. T includes undefined where the field has no default. */
+export interface Field<T> {
+  /** One line: what it means, with its unit. */
+  readonly doc: string;
+  readonly default: T;
+  /** The shader features that a value needs. */
+  features(value: NonNullable<T>): readonly string[];
+  /** The kind of value, for people and for tools. */
+  readonly kind: 'number' | 'vector' | 'color' | 'choice' | 'name' | 'text';
+  /** Reads a JSON value or its text in markup. */
+  read(value: unknown): NonNullable<T> | Mismatch;
+  readonly schema: JsonSchema;
+}
+
+/** The fields of a node, by name. */
+export type Fields = { readonly [name: string]: Field<unknown> };
+
+/** The values of a node whose fields are F. */
+export type Values<F> = {
+  readonly [K in keyof F as F[K] extends Field<infer T>
+    ? undefined extends T
+      ? never
+      : K
+    : never]: F[K] extends Field<infer T> ? T : never;
+} & {
+  readonly [K in keyof F as F[K] extends Field<infer T>
+    ? undefined extends T
+      ? K
+      : never
+    : never]?: F[K] extends Field<infer T> ? NonNullable<T> : never;
+};
+
+interface Options<T, D> {
+  readonly default?: D;
+  readonly switches?: Switches<T>;
+}
+
+interface NumberOptions<D> extends Options<number, D> {
+  readonly min?: number;
+  /** Exclusive lower bound. */
+  readonly above?: number;
+  readonly max?: number;
+  readonly integer?: boolean;
+}
+
+/** Lengths stay below this, so that their fourth powers are numbers in f64. */
+export const LARGEST_LENGTH = 1e60;
+
+const NUMBER_TEXT = /^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$/;
+
+/** A number, or its text. */
+export function number<D extends number | undefined = undefined>(
+  doc: string,
+  options: NumberOptions<D> = {},
+): Field<number | D> {
+  const { min, above, max, integer } = options;
+  const lower = above !== undefined ? ` above ${above}` : min !== undefined ? ` of at least ${min}` : '';
+  const upper = max === undefined ? '' : `${lower ? ' and' : ' of'} at most ${max}`;
+  const range = min !== undefined && max !== undefined ? ` from ${min} to ${max}` : lower + upper;
+  const expected = new Mismatch(`must be ${integer ? 'a whole number' : 'a number'}${range}`);
+  const accepts = (n: number | undefined): n is number =>
+    n !== undefined &&
+    Number.isFinite(n) &&
+    (above === undefined || n > above) &&
+    n >= (min ?? -LARGEST_LENGTH) &&
+    n <= (max ?? LARGEST_LENGTH) &&
+    (!integer || Number.isInteger(n));
+  return field('number', doc, options, {
+    read: (value) => {
+      const n = readNumber(value);
+      return accepts(n) ? n : expected;
+    },
+    schema: {
+      type: integer ? 'integer' : 'number',
+      ...(above === undefined ? { minimum: min ?? -LARGEST_LENGTH } : { exclusiveMinimum: above }),
+      maximum: max ?? LARGEST_LENGTH,
+    },
+  });
+}
+
+const readNumber = (value: unknown): number | undefined =>
+  typeof value === 'number' ? value : typeof value === 'string' && NUMBER_TEXT.test(value) ? Number(value) : undefined;
+
+interface VectorOptions<D> extends Options<Vec3, D> {
+  /** Refuses the vector of zeros, which has no direction. */
+  readonly nonzero?: boolean;
+}
+
+/** Three numbers: `[x, y, z]`, or `"x y z"` with blanks or commas between. */
+export function vector<D extends Vec3 | undefined = undefined>(
+  doc: string,
+  options: VectorOptions<D> = {},
+): Field<Vec3 | D> {
+  const expected = new Mismatch(
+    options.nonzero ? 'must be three numbers "x y z", not all 0' : 'must be three numbers "x y z"',
+  );
+  return field('vector', doc, options, {
+    read: (value) => {
+      const v = readTriple(value);
+      const valid = v?.every((n) => Math.abs(n) <= LARGEST_LENGTH) && !(options.nonzero && v.every((n) => n === 0));
+      return v && valid ? v : expected;
+    },
+    schema: {
+      type: 'array',
+      minItems: 3,
+      maxItems: 3,
+      items: { type: 'number', minimum: -LARGEST_LENGTH, maximum: LARGEST_LENGTH },
+      ...(options.nonzero ? { contains: { not: { const: 0 } } } : {}),
+    },
+  });
+}
+
+function readTriple(value: unknown): Vec3 | undefined {
+  const parts = typeof value === 'string' ? value.trim().split(/\s*,\s*|\s+/) : value;
+  if (!Array.isArray(parts) || parts.length !== 3) return undefined;
+  const asText = typeof value === 'string';
+  const [x, y, z] = parts.map((part) => (asText || typeof part === 'number' ? readNumber(part) : undefined));
+  return x !== undefined && y !== undefined && z !== undefined ? Object.freeze([x, y, z] as const) : undefined;
+}
+
+interface ColorOptions<D> extends Options<Vec3, D> {
+  /** Light may exceed 1 where it is given as numbers; reflectances may not. */
+  readonly light?: boolean;
+}
+
+/** A CSS colour, or linear Rec. 709 `[r, g, b]`. */
+export function color<D extends Vec3 | undefined = undefined>(
+  doc: string,
+  options: ColorOptions<D> = {},
+): Field<Vec3 | D> {
+  const max = options.light ? LARGEST_LENGTH : 1;
+  const expected = 'must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or linear [r, g, b]';
+  return field('color', doc, options, {
+    read: (value) => {
+      if (Array.isArray(value)) {
+        const rgb = readTriple(value);
+        return rgb?.every((channel) => channel >= 0 && channel <= max)
+          ? rgb
+          : new Mismatch(`must be three numbers from 0${options.light ? '' : ' to 1'}`);
+      }
+      if (typeof value !== 'string') return new Mismatch(expected);
+      const rgb = readColor(value);
+      return typeof rgb === 'string' ? new Mismatch(`${expected}; this ${rgb}`) : Object.freeze(rgb);
+    },
+    schema: {
+      anyOf: [
+        { type: 'array', minItems: 3, maxItems: 3, items: { type: 'number', minimum: 0, maximum: max } },
+        { type: 'string', minLength: 3 },
+      ],
+    },
+  });
+}
+
+/** One of a closed list of words (or numbers, which may be written as text too). */
+export function choice<const C extends string | number>(
+  doc: string,
+  choices: readonly C[],
+  options: Options<C, C> & { readonly default: NoInfer<C> },
+): Field<C> {
+  const words = choices.map(String);
+  const allowed = words.map((word) => `"${word}"`).join(' or ');
+  return field('choice', doc, options, {
+    read: (value) => {
+      const index = typeof value === 'string' || typeof value === 'number' ? words.indexOf(String(value)) : -1;
+      const near = typeof value === 'string' ? nearestWord(value, words) : undefined;
+      return choices[index] ?? new Mismatch(`must be ${allowed}${near ? ` (did you mean "${near}"?)` : ''}`);
+    },
+    schema: { enum: choices },
+  });
+}
+
+/** A short text without meaning to the engine: an author's name for something. */
+export function name(doc: string): Field<string | undefined> {
+  return field(
+    'name',
+    doc,
+    {},
+    {
+      read: (value) => (typeof value === 'string' && value.trim() ? value.trim() : new Mismatch('must be a name')),
+      schema: { type: 'string', pattern: '\\S' },
+    },
+  );
+}
+
+type Reader<T> = { read(value: unknown): NonNullable<T> | Mismatch; schema: JsonSchema };
+
+function field<T, D extends T | undefined>(
+  kind: Field<T>['kind'],
+  doc: string,
+  options: Options<NonNullable<T>, D>,
+  reader: Reader<T>,
+): Field<T | D> {
+  const switches = Object.entries(options.switches ?? {});
+  return {
+    kind,
+    doc,
+    default: options.default as D,
+    features: (value) => switches.filter(([, needs]) => needs(value as NonNullable<T>)).map(([feature]) => feature),
+    read: reader.read as Field<T | D>['read'],
+    schema: reader.schema,
+  };
+}

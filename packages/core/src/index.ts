@@ -1,0 +1,2 @@
+/** `@ray-scene/core`: scenes, what they require, and the shaders and buffers that draw them. No DOM, no GL. */
+export { parseScene } from './parse-scene.ts';

@@ -1,0 +1,46 @@
+/** What the shader is told of lights: one record for each kind, and how it is packed. */
+import { type Frame, toFrame } from './frame.ts';
+import type { Light, LightKind } from './schema.ts';
+import type { RecordValues } from './std140.ts';
+import { negate, normalize, scale, subtract, type Vec3 } from './vector.ts';
+
+type LightOf<K extends LightKind> = Extract<Light, { type: K }>;
+
+const pointRecord = [
+  { name: 'position', type: 'vec3' },
+  { name: 'decays', type: 'float', when: 'mixedFalloff' },
+  { name: 'intensity', type: 'vec3' },
+] as const;
+
+const directionalRecord = [
+  { name: 'toLight', type: 'vec3' },
+  { name: 'irradiance', type: 'vec3' },
+] as const;
+
+/** By kind: the name of the GLSL struct, its members, and their values for a light. */
+export const lightRecords = {
+  point: {
+    struct: 'PointLight',
+    record: pointRecord,
+    pack: ({ position, color, intensity, decay }: LightOf<'point'>, frame: Frame): RecordValues<typeof pointRecord> => ({
+      position: toFrame(frame, position),
+      decays: decay === 2 ? 1 : 0,
+      // Distances are in units of the frame, so candelas are too.
+      intensity: scale(color, intensity * (decay === 2 ? frame.scale * frame.scale : 1)),
+    }),
+  },
+  directional: {
+    struct: 'DirectionalLight',
+    record: directionalRecord,
+    pack: (light: LightOf<'directional'>): RecordValues<typeof directionalRecord> => ({
+      toLight: directionToLight(light),
+      irradiance: scale(light.color, light.intensity),
+    }),
+  },
+} as const satisfies { [K in LightKind]: unknown };
+
+/** Unit vector from any point to a directional light. */
+export function directionToLight(light: LightOf<'directional'>): Vec3 {
+  const { direction, position, target = [0, 0, 0] } = light;
+  return normalize(direction ? negate(direction) : position ? subtract(position, target) : [0, 1, 0]);
+}

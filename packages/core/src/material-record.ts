@@ -1,0 +1,48 @@
+/** What the shader is told of a material: the numbers that it computes with, worked out once in f64. */
+import type { Material } from './schema.ts';
+import type { RecordValues } from './std140.ts';
+import { scale, type Vec3 } from './vector.ts';
+
+export const materialRecord = [
+  { name: 'color', type: 'vec3' },
+  { name: 'alpha', type: 'float', when: 'highlights' },
+  { name: 'f0', type: 'vec3', when: 'specularTint' },
+  { name: 'grey0', type: 'float', when: 'specular !specularTint' },
+  { name: 'f90', type: 'float', when: 'specular' },
+  { name: 'metalness', type: 'float', when: 'metal dielectric' },
+  { name: 'checkerSize', type: 'float', when: 'checker' },
+  { name: 'checker', type: 'vec3', when: 'checker' },
+] as const;
+
+/** Below this, 1 / alpha² leaves the range of f32: the lobe is as narrow as a mirror's and is packed as one. */
+const SMALLEST_ALPHA = 2 ** -60;
+
+/** GGX alpha of a roughness. */
+export function ggxAlpha(roughness: number): number {
+  const alpha = roughness * roughness;
+  return alpha < SMALLEST_ALPHA ? 0 : alpha;
+}
+
+/**
+ * Reflectance of the dielectric layer straight on and at grazing angles, for Schlick's approximation between them.
+ * Source: glTF 2.0, Appendix B, and KHR_materials_ior, KHR_materials_specular.
+ */
+export function dielectricReflectance({ ior, specular, specularColor }: Material): { f0: Vec3; f90: number } {
+  const straight = ((ior - 1) / (ior + 1)) ** 2;
+  const tinted = specularColor.map((tint) => Math.min(straight * tint, 1)) as unknown as Vec3;
+  return { f0: scale(tinted, specular), f90: specular };
+}
+
+export function packMaterial(material: Material, lengthScale: number): RecordValues<typeof materialRecord> {
+  const { f0, f90 } = dielectricReflectance(material);
+  return {
+    color: material.color,
+    alpha: ggxAlpha(material.roughness),
+    f0,
+    grey0: f0[0],
+    f90,
+    metalness: material.metalness,
+    checker: material.checker ?? material.color,
+    checkerSize: material.checkerSize * lengthScale,
+  };
+}

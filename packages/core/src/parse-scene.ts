@@ -1,0 +1,273 @@
+/** Scenes from strangers: JSON text, plain objects or what markup was read into, all through one validator. */
+import { builtInMaterials } from './built-in-materials.ts';
+import { contradiction } from './contradictions.ts';
+import { color, type Fields, Mismatch } from './fields.ts';
+import { nearestWord } from './nearest-word.ts';
+import { primitives } from './primitives/index.ts';
+import { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
+import {
+  type Background,
+  camera,
+  environment,
+  type Light,
+  lights,
+  material,
+  type NodeTable,
+  objectFields,
+  type Scene,
+  type SceneObject,
+} from './schema.ts';
+
+/** How a source words things: where a path is, and how a field is spelt there. */
+export interface SourceWords {
+  readonly locate: Locate;
+  /** `key` or `attribute`. */
+  readonly field: string;
+  readonly spell: (field: string) => string;
+}
+
+const jsonWords: SourceWords = { locate: jsonPath, field: 'key', spell: (field) => field };
+
+/** How much a scene may hold. */
+export const limits = { objects: 1024, lights: 64, materials: 1024 } as const;
+
+const backgroundColor = color('What a camera ray shows that meets no object.');
+
+const rootKeys = [
+  'version',
+  'name',
+  'camera',
+  'environment',
+  'background',
+  'lights',
+  'materials',
+  'objects',
+  'extras',
+  '$schema',
+];
+
+/**
+ * Validates a scene: a JSON text, or a plain object in which any value may also be the text it has in markup.
+ * Returns a deeply frozen scene with all defaults of its nodes filled in.
+ * @throws {SceneError} with every problem at once.
+ */
+export function parseScene(input: unknown, words: SourceWords = jsonWords): Scene {
+  const parser = new SceneParser(words);
+  const scene = parser.scene(typeof input === 'string' ? parser.json(input) : input);
+  if (!scene || parser.problems.length > 0) throw new SceneError(parser.problems);
+  return deepFreeze(scene);
+}
+
+type Path = Problem['path'];
+type Raw = { readonly [key: string]: unknown };
+
+class SceneParser {
+  readonly problems: Problem[] = [];
+  readonly #words: SourceWords;
+
+  constructor(words: SourceWords) {
+    this.#words = words;
+  }
+
+  json(text: string): unknown {
+    try {
+      return JSON.parse(text);
+    } catch (error) {
+      this.#report([], `is not JSON: ${(error as Error).message}`);
+      return undefined;
+    }
+  }
+
+  scene(input: unknown): Scene | undefined {
+    if (this.problems.length > 0) return undefined;
+    const root = this.#object([], input, 'a scene');
+    if (!root || !this.#version(root)) return undefined;
+    this.#unknownKeys([], root, rootKeys, 'scene');
+    const scene = {
+      version: 1 as const,
+      ...this.#optional('name', root, (path, value) => this.#text(path, value)),
+      ...this.#optional('camera', root, (path, value) => this.#node(path, value, camera, 'camera')),
+      ...this.#optional('environment', root, (path, value) => this.#node(path, value, environment, 'environment')),
+      ...this.#optional('background', root, (path, value) => this.#background(path, value)),
+      lights: this.#list(root, 'lights', (path, value) => this.#variant(path, value, lights, 'light') as Light),
+      materials: this.#materials(root['materials']),
+      objects: this.#list(root, 'objects', (path, value) => this.#sceneObject(path, value)),
+      ...(root['extras'] === undefined ? {} : { extras: structuredCloneOf(root['extras']) }),
+    };
+    this.#materialNames(scene as Scene);
+    return scene as Scene;
+  }
+
+  /** A newer file gets one clear message rather than one per key it uses. */
+  #version({ version = 1 }: Raw): boolean {
+    if (String(version) === '1') return true;
+    const newer = Number(version) > 1;
+    this.#report(
+      ['version'],
+      newer
+        ? `version ${version} is newer than this ray-scene, which reads version 1: load a newer ray-scene`
+        : `version must be 1, not ${shown(version)}`,
+    );
+    return false;
+  }
+
+  #node(path: Path, input: unknown, table: NodeTable, label: string, given = false): object | undefined {
+    const raw = this.#object(path, input, article(label));
+    if (!raw) return undefined;
+    this.#unknownKeys(path, raw, Object.keys(table.fields), label);
+    const values = this.#values(path, raw, table.fields, given);
+    for (const message of contradiction(label, values)) this.#report(path, message);
+    return values;
+  }
+
+  /** Reads the fields that are there; fills in defaults unless only the `given` ones are wanted. */
+  #values(path: Path, raw: Raw, fields: Fields, given: boolean): Raw {
+    const values: { [name: string]: unknown } = {};
+    for (const [name, field] of Object.entries(fields)) {
+      const value = raw[name];
+      const read = value === undefined ? (given ? undefined : field.default) : field.read(value);
+      if (read instanceof Mismatch) {
+        this.#report([...path, name], `${this.#words.spell(name)} ${read.message}, not ${shown(value)}`, path);
+      } else if (read !== undefined) values[name] = read;
+    }
+    return values;
+  }
+
+  #variant(path: Path, input: unknown, tables: { [kind: string]: NodeTable }, label: string): object | undefined {
+    const raw = this.#object(path, input, article(label));
+    if (!raw) return undefined;
+    const { type: kind = label === 'light' ? 'point' : undefined, ...rest } = raw;
+    const table = typeof kind === 'string' && Object.hasOwn(tables, kind) ? tables[kind] : undefined;
+    if (!table) {
+      const kinds = Object.keys(tables);
+      const found = kind === undefined ? 'has no type' : `unknown type ${shown(kind)}${suggestion(kind, kinds)}`;
+      this.#report([...path, 'type'], `${found}. Types of ${label}: ${kinds.join(', ')}.`, path);
+      return undefined;
+    }
+    const name = label === 'light' ? `${kind} light` : String(kind);
+    const values = this.#node(path, rest, table, name);
+    return values && { type: kind, ...values };
+  }
+
+  #sceneObject(path: Path, input: unknown): SceneObject | undefined {
+    const raw = this.#object(path, input, 'an object');
+    if (!raw) return undefined;
+    const own: { [name: string]: unknown } = {};
+    const shape: { [name: string]: unknown } = {};
+    const kind = primitives[raw['type'] as keyof typeof primitives];
+    for (const [key, value] of Object.entries(raw)) {
+      (kind && !(key in kind.fields) && (key in objectFields || key in material.fields) ? own : shape)[key] = value;
+    }
+    const common = this.#values(path, own, objectFields, true);
+    const surface = this.#values(path, own, material.fields, true);
+    const values = this.#variant(path, shape, objectTables, 'object');
+    return values && ({ ...values, ...common, ...surface } as SceneObject);
+  }
+
+  #materials(input: unknown): Scene['materials'] {
+    if (input === undefined) return {};
+    const raw = this.#object(['materials'], input, 'materials by name') ?? {};
+    this.#limit(['materials'], Object.keys(raw).length, 'materials');
+    return Object.fromEntries(
+      Object.entries(raw).map(([name, value]) => [
+        name,
+        this.#node(['materials', name], value, material, 'material', true) ?? {},
+      ]),
+    );
+  }
+
+  #materialNames({ materials, objects }: Scene): void {
+    const names = [...new Set([...Object.keys(materials), ...Object.keys(builtInMaterials)])];
+    objects.forEach((object, i) => {
+      if (object?.material === undefined || names.includes(object.material)) return;
+      const known = names.join(', ');
+      const near = suggestion(object.material, names);
+      const path = ['objects', i, 'material'];
+      this.#report(path, `unknown material "${object.material}"${near}. Materials here: ${known}.`, path.slice(0, 2));
+    });
+  }
+
+  #background(path: Path, value: unknown): Background | undefined {
+    if (value === 'environment' || value === 'transparent') return value;
+    const read = backgroundColor.read(value);
+    if (!(read instanceof Mismatch)) return read;
+    this.#report(
+      path,
+      `background must be "environment", "transparent" or a colour: ${read.message}, not ${shown(value)}`,
+      [],
+    );
+    return undefined;
+  }
+
+  #text(path: Path, value: unknown): string | undefined {
+    if (typeof value === 'string') return value;
+    this.#report(path, `must be a text, not ${shown(value)}`);
+    return undefined;
+  }
+
+  #list<T>(root: Raw, key: 'lights' | 'objects', read: (path: Path, value: unknown) => T | undefined): T[] {
+    const list = root[key] ?? [];
+    if (!Array.isArray(list)) {
+      this.#report([key], `must be a list [ … ], not ${shown(list)}`);
+      return [];
+    }
+    this.#limit([key], list.length, key);
+    return list.slice(0, limits[key]).map((value, i) => read([key, i], value) as T);
+  }
+
+  #limit(path: Path, count: number, key: keyof typeof limits): void {
+    if (count > limits[key]) this.#report(path, `a scene may hold ${limits[key]} ${key}, this one has ${count}`);
+  }
+
+  #optional<K extends string, T>(key: K, root: Raw, read: (path: Path, value: unknown) => T | undefined) {
+    const value = root[key] === undefined ? undefined : read([key], root[key]);
+    return (value === undefined ? {} : { [key]: value }) as { [P in K]?: T };
+  }
+
+  #object(path: Path, value: unknown, what: string): Raw | undefined {
+    if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Raw;
+    this.#report(path, `must be ${what} { … }, not ${shown(value)}`);
+    return undefined;
+  }
+
+  #unknownKeys(path: Path, raw: Raw, known: readonly string[], label: string): void {
+    const { field, spell } = this.#words;
+    const listed =
+      path[0] === 'objects' ? [...known, ...Object.keys(objectFields), ...Object.keys(material.fields)] : known;
+    const words = listed.map(spell);
+    for (const key of Object.keys(raw)) {
+      if (listed.includes(key)) continue;
+      const takes = `${capitalized(article(label))} takes: ${words.join(', ')}.`;
+      this.#report([...path, key], `unknown ${field} "${spell(key)}"${suggestion(key, words)}. ${takes}`, path);
+    }
+  }
+
+  #report(path: Path, message: string, at = path): void {
+    this.problems.push({ path, where: this.#words.locate(at), message });
+  }
+}
+
+const objectTables: { readonly [kind: string]: NodeTable } = primitives;
+
+const article = (label: string): string => `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
+
+const capitalized = (text: string): string => text[0]?.toUpperCase() + text.slice(1);
+
+function suggestion(typed: unknown, words: readonly string[]): string {
+  const near = typeof typed === 'string' ? nearestWord(typed, words) : undefined;
+  return near ? ` (did you mean "${near}"?)` : '';
+}
+
+/** A value as its author would recognise it, cut where it is long. */
+function shown(value: unknown): string {
+  const text =
+    typeof value === 'number' || value === undefined ? String(value) : (JSON.stringify(value) ?? String(value));
+  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
+}
+
+const structuredCloneOf = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
+
+function deepFreeze<T>(value: T): T {
+  if (typeof value === 'object' && value !== null) Object.values(Object.freeze(value)).forEach(deepFreeze);
+  return value;
+}

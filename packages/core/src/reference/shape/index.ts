@@ -1,0 +1,24 @@
+/** What the tracer asks of every kind of primitive; a kind that is missing here does not compile. */
+import type { ShapeKind } from '../../primitives/index.ts';
+import type { Shape } from '../../schema.ts';
+import type { Vec3 } from '../../vector.ts';
+import type { Ray } from '../ray.ts';
+import { planeDistance, planeLengths, planeNormal } from './plane.ts';
+import { sphereDistance, sphereLengths, sphereNormal } from './sphere.ts';
+
+export interface TracedShape<K extends ShapeKind> {
+  /** Distance t > 0 to the nearest intersection, or MISS; `own`: the ray leaves this very object. */
+  distance(shape: Shape<K>, ray: Ray, own: boolean): number;
+  /** The outward (or front) unit normal. */
+  normal(shape: Shape<K>, point: Vec3): Vec3;
+  /** The surface lengths (U, V) that a checker is laid out in. */
+  lengths(shape: Shape<K>, point: Vec3): readonly [number, number];
+}
+
+const tracedShapes: { readonly [K in ShapeKind]: TracedShape<K> } = {
+  sphere: { distance: sphereDistance, normal: sphereNormal, lengths: sphereLengths },
+  plane: { distance: planeDistance, normal: planeNormal, lengths: planeLengths },
+};
+
+export const tracedShape = <K extends ShapeKind>(shape: Shape<K>): TracedShape<K> =>
+  tracedShapes[shape.type as K] as TracedShape<K>;

@@ -1,0 +1,137 @@
+/**
+ * THE table: every node of a scene, every field of it, with its meaning, default, range, and the shader features that
+ * its values switch on. Types, validation, JSON Schema, attributes and the reference docs all come from here.
+ */
+import { choice, color, type Fields, name, number, type Values, vector } from './fields.ts';
+import type { primitives, ShapeKind } from './primitives/index.ts';
+import type { Vec3 } from './vector.ts';
+
+/** A kind of node: its fields, and what must hold between them. */
+export interface NodeTable<F extends Fields = Fields> {
+  readonly doc: string;
+  readonly fields: F;
+}
+
+export const camera = {
+  doc: 'Where the picture is taken from.',
+  fields: {
+    type: choice('Kind of projection.', ['perspective'], { default: 'perspective' }),
+    position: vector('Where the camera stands; default: where it sees all objects.'),
+    target: vector(
+      'What it looks at; default: the middle of the objects if it has no position either, else the origin.',
+    ),
+    up: vector('The direction that is up in the picture.', { default: [0, 1, 0], nonzero: true }),
+    fov: number('Vertical field of view, in degrees.', { default: 45, above: 0, max: 179 }),
+  },
+} satisfies NodeTable;
+
+const lightColor = color('Colour of the light.', { default: [1, 1, 1], light: true });
+
+export const lights = {
+  point: {
+    doc: 'Light from one point, the same in all directions.',
+    fields: {
+      name: name("The author's name for it."),
+      position: vector('Where it is.', { default: [0, 1, 0] }),
+      color: lightColor,
+      intensity: number('Radiant intensity (candela).', { default: 1, min: 0 }),
+      decay: choice('How it fades with distance: 2 as light does, 0 not at all.', [2, 0], {
+        default: 2,
+        switches: { falloff: (decay) => decay === 2, noFalloff: (decay) => decay === 0 },
+      }),
+    },
+  },
+  directional: {
+    doc: 'Parallel light from far away.',
+    fields: {
+      name: name("The author's name for it."),
+      direction: vector('Direction in which the light travels; default: from position to target, or down.', {
+        nonzero: true,
+      }),
+      position: vector('With target, another way to say the direction.'),
+      target: vector('What light from the position travels towards; default: the origin.'),
+      color: lightColor,
+      intensity: number('Irradiance on a surface that faces it (lux).', { default: 1, min: 0 }),
+    },
+  },
+} satisfies { readonly [kind: string]: NodeTable };
+
+export const environment = {
+  doc: 'Light from all around, infinitely far away.',
+  fields: {
+    color: color('Radiance, the same from everywhere.', { light: true }),
+    top: color('Radiance from straight above (+y); with bottom, a gradient linear in the height.', { light: true }),
+    bottom: color('Radiance from straight below.', { light: true }),
+    intensity: number('Factor on the radiance.', { default: 1, min: 0 }),
+  },
+} satisfies NodeTable;
+
+const isGrey = ([r, g, b]: Vec3): boolean => r === g && g === b;
+
+export const material = {
+  doc: 'How a surface scatters light: metallic-roughness as in glTF 2.0.',
+  fields: {
+    color: color('Base colour: albedo of a dielectric, reflectance of a metal.', { default: [1, 1, 1] }),
+    metalness: number('0 a dielectric, 1 a metal, between: a mix of both.', {
+      default: 0,
+      min: 0,
+      max: 1,
+      switches: { metal: (metalness) => metalness > 0, dielectric: (metalness) => metalness < 1 },
+    }),
+    roughness: number('0 a mirror, 1 dull; GGX with alpha = roughness².', { default: 0.5, min: 0, max: 1 }),
+    ior: number('Index of refraction: reflectance of a dielectric seen straight on = ((ior - 1) / (ior + 1))².', {
+      default: 1.5,
+      min: 1,
+      max: 100,
+    }),
+    specular: number('Factor on the reflection of a dielectric.', {
+      default: 1,
+      min: 0,
+      max: 1,
+      switches: { specular: (specular) => specular > 0 },
+    }),
+    specularColor: color('Tints the straight-on reflection of a dielectric.', {
+      default: [1, 1, 1],
+      switches: { specularTint: (tint) => !isGrey(tint) },
+    }),
+    checker: color('Second colour, of the cells where floor(U / size) + floor(V / size) is odd.'),
+    checkerSize: number('Side of a cell, measured along the surface.', { default: 1, above: 0 }),
+  },
+} satisfies NodeTable;
+
+/** Fields that every object takes besides those of its shape and its own material. */
+export const objectFields = {
+  name: name("The author's name for it."),
+  material: name('Name of a material; fields of the object itself go before those of the material.'),
+} satisfies Fields;
+
+type LightOf<K extends LightKind> = { readonly type: K } & Values<(typeof lights)[K]['fields']>;
+type ObjectOf<K extends ShapeKind> = { readonly type: K } & Values<(typeof primitives)[K]['fields']> &
+  Values<typeof objectFields> &
+  Partial<Material>;
+
+export type LightKind = keyof typeof lights;
+export const lightKinds = Object.keys(lights) as readonly LightKind[];
+
+export type Camera = Values<typeof camera.fields>;
+export type Light = { [K in LightKind]: LightOf<K> }[LightKind];
+export type Environment = Values<typeof environment.fields>;
+export type Material = Values<typeof material.fields>;
+export type SceneObject = { [K in ShapeKind]: ObjectOf<K> }[ShapeKind];
+/** The shape of an object of one kind. */
+export type Shape<K extends ShapeKind> = { readonly type: K } & Values<(typeof primitives)[K]['fields']>;
+/** What a camera ray shows that meets no object: a linear colour, the environment, or nothing. */
+export type Background = Vec3 | 'environment' | 'transparent';
+
+/** A validated scene. Every number is finite and in its range, every colour linear, every default filled in. */
+export interface Scene {
+  readonly version: 1;
+  readonly name?: string;
+  readonly camera?: Camera;
+  readonly environment?: Environment;
+  readonly background?: Background;
+  readonly lights: readonly Light[];
+  readonly materials: { readonly [name: string]: Partial<Material> };
+  readonly objects: readonly SceneObject[];
+  readonly extras?: unknown;
+}

@@ -1,0 +1,58 @@
+/** How a scene is rendered, as opposed to what it is: the same kind of table as the scene's own. */
+import { choice, Mismatch, number, type Values } from './fields.ts';
+import { nearestWord } from './nearest-word.ts';
+import { SceneError } from './scene-error.ts';
+
+export const settingsFields = {
+  integrator: choice(
+    'How light is followed; direct: Whitted ray tracing, free of noise under point lights.',
+    ['direct'],
+    {
+      default: 'direct',
+    },
+  ),
+  bounces: number('Surfaces that a ray may meet, one after the other.', { default: 6, min: 1, max: 64, integer: true }),
+  samples: number('Samples per pixel after which the picture is complete.', {
+    default: 64,
+    min: 1,
+    max: 2 ** 20,
+    integer: true,
+  }),
+  frameBudget: number('Time that rendering may take of each frame, in milliseconds.', {
+    default: 12,
+    min: 1,
+    max: 1000,
+  }),
+  pixelRatio: number('Device pixels per CSS pixel; default: those of the screen.', { above: 0, max: 16 }),
+  exposure: number('Linear factor on the radiance before tone mapping.', { default: 1, min: 0 }),
+  toneMapping: choice('neutral: Khronos PBR Neutral; none: clipped. Both then encode sRGB.', ['neutral', 'none'], {
+    default: 'neutral',
+  }),
+  seed: number('Start of the random numbers.', { default: 0, min: 0, max: 2 ** 32 - 1, integer: true }),
+} as const;
+
+export type RenderSettings = Values<typeof settingsFields>;
+
+/**
+ * Fills in the defaults of the settings that are not given.
+ * @throws {SceneError} when one is unknown or out of its range.
+ */
+export function parseSettings(given: { readonly [name: string]: unknown } = {}): RenderSettings {
+  const fields = Object.entries(settingsFields);
+  const names = fields.map(([name]) => name);
+  const problems = Object.keys(given)
+    .filter((name) => !names.includes(name))
+    .map((name) => {
+      const near = nearestWord(name, names);
+      return problem(name, `unknown setting "${name}"${near ? ` (did you mean "${near}"?)` : ''}`);
+    });
+  const values = fields.map(([name, field]) => {
+    const value = given[name] === undefined ? field.default : field.read(given[name]);
+    if (value instanceof Mismatch) problems.push(problem(name, `${name} ${value.message}, not "${given[name]}"`));
+    return [name, value];
+  });
+  if (problems.length > 0) throw new SceneError(problems);
+  return Object.fromEntries(values.filter(([, value]) => value !== undefined)) as RenderSettings;
+}
+
+const problem = (name: string, message: string) => ({ path: [name], where: 'settings', message });

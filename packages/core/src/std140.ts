@@ -1,0 +1,114 @@
+/**
+ * The std140 layout of uniform blocks (OpenGL ES 3.0, section 2.12.6.4) as arithmetic: members in, byte offsets out.
+ * The GLSL text of the same members and their writer stand beside it, so the three cannot disagree.
+ */
+
+/** GLSL types that a record may hold: size and alignment in bytes, as std140 has them outside of arrays. */
+const TYPES = {
+  float: { size: 4, align: 4 },
+  int: { size: 4, align: 4 },
+  vec3: { size: 12, align: 16 },
+  vec4: { size: 16, align: 16 },
+} as const;
+
+export type GlslType = keyof typeof TYPES;
+
+/** One member of a struct. `when` names the features without which it is left out: `'specular !specularTint'`. */
+export interface Member<Name extends string = string> {
+  readonly name: Name;
+  readonly type: GlslType;
+  readonly when?: string;
+}
+
+/** A value for each member: a number, or as many as the vector has. */
+export type RecordValues<M extends readonly Member[]> = {
+  readonly [K in M[number] as K['name']]: ValueOf<K['type']>;
+};
+
+type ValueOf<T extends GlslType> = T extends 'float' | 'int' ? number : readonly number[];
+
+/** A struct whose members' places are known. `size` is a multiple of 16: it is also the stride of an array of it. */
+export interface StructLayout {
+  readonly name: string;
+  readonly members: readonly (Member & { readonly offset: number })[];
+  readonly size: number;
+}
+
+/** Lays out the members whose features are present, in their order. */
+export function layoutStruct(
+  name: string,
+  members: readonly Member[],
+  has: (feature: string) => boolean,
+): StructLayout {
+  let end = 0;
+  const placed = members
+    .filter(({ when = '' }) => when.split(' ').every((term) => term === '' || holds(term, has)))
+    .map((member) => {
+      const { size, align } = TYPES[member.type];
+      const offset = roundUp(end, align);
+      end = offset + size;
+      return { ...member, offset };
+    });
+  return { name, members: placed, size: roundUp(end, 16) };
+}
+
+const holds = (term: string, has: (feature: string) => boolean): boolean =>
+  term.startsWith('!') ? !has(term.slice(1)) : has(term);
+
+/** One struct in a block, or `count` of them as an array. */
+export interface BlockEntry {
+  readonly name: string;
+  readonly struct: StructLayout;
+  readonly count?: number;
+}
+
+export interface BlockLayout {
+  readonly name: string;
+  readonly entries: readonly (BlockEntry & { readonly offset: number })[];
+  /** In bytes; 0: GLSL does without the block. */
+  readonly size: number;
+}
+
+/** Lays out structs one after the other. Empty ones, which GLSL does not know, are left out. */
+export function layoutBlock(name: string, entries: readonly BlockEntry[]): BlockLayout {
+  let end = 0;
+  const placed = entries
+    .filter(({ count, struct }) => count !== 0 && struct.members.length > 0)
+    .map((entry) => {
+      const offset = end;
+      end += (entry.count ?? 1) * entry.struct.size;
+      return { ...entry, offset };
+    });
+  return { name, entries: placed, size: end };
+}
+
+/** The GLSL of a block: its structs, then the block itself. */
+export function blockGlsl({ name, entries }: BlockLayout): string {
+  if (entries.length === 0) return '';
+  const structs = entries.map(
+    ({ struct }) => `struct ${struct.name} {\n${struct.members.map((m) => `  ${m.type} ${m.name};\n`).join('')}};\n`,
+  );
+  const members = entries.map(
+    (entry) => `  ${entry.struct.name} ${entry.name}${entry.count === undefined ? '' : `[${entry.count}]`};\n`,
+  );
+  return `${structs.join('')}layout(std140) uniform ${name} {\n${members.join('')}};\n`;
+}
+
+/** Writes one struct of a block, the `index`-th of an array. Values without a place in the layout are passed over. */
+export function writeStruct(
+  view: DataView,
+  { struct, offset }: BlockLayout['entries'][number],
+  index: number,
+  values: { readonly [member: string]: number | readonly number[] | undefined },
+): void {
+  for (const member of struct.members) {
+    const at = offset + index * struct.size + member.offset;
+    const value = values[member.name];
+    if (value === undefined) throw new TypeError(`${struct.name}.${member.name} has no value`);
+    if (typeof value !== 'number') value.forEach((component, i) => view.setFloat32(at + 4 * i, component, true));
+    else if (member.type === 'int') view.setInt32(at, value, true);
+    else view.setFloat32(at, value, true);
+  }
+}
+
+const roundUp = (n: number, step: number): number => Math.ceil(n / step) * step;

@@ -1,0 +1,39 @@
+/** What the shader is told of the eye and of what surrounds the scene. */
+import type { CameraFrame } from './camera-frame.ts';
+import type { ResolvedScene } from './resolve-scene.ts';
+import type { RecordValues } from './std140.ts';
+import { add, scale, subtract } from './vector.ts';
+
+/** Rays through the window; see `CameraFrame`. */
+export const eyeRecord = [
+  { name: 'corner', type: 'vec3' },
+  { name: 'stepX', type: 'vec3' },
+  { name: 'stepY', type: 'vec3' },
+] as const;
+
+export const packEye = ({ corner, stepX, stepY }: CameraFrame): RecordValues<typeof eyeRecord> => ({
+  corner,
+  stepX,
+  stepY,
+});
+
+/** Radiance from all around is mean + y slope, y being the height of the unit direction. */
+export const surroundingsRecord = [
+  { name: 'background', type: 'vec3', when: 'backgroundColor' },
+  { name: 'mean', type: 'vec3', when: 'environment' },
+  { name: 'slope', type: 'vec3', when: 'gradient' },
+] as const;
+
+export function packSurroundings({
+  background,
+  environment,
+}: ResolvedScene): RecordValues<typeof surroundingsRecord> {
+  const { top, bottom } = environment ?? { top: BLACK, bottom: BLACK };
+  return {
+    background: typeof background === 'string' ? BLACK : background,
+    mean: scale(add(top, bottom), 0.5),
+    slope: scale(subtract(top, bottom), 0.5),
+  };
+}
+
+const BLACK = [0, 0, 0] as const;

@@ -1,0 +1,93 @@
+// Builds both packages: ES modules whose dependencies stay imports, their types, and one minified file that needs nothing.
+import { readFileSync, rmSync } from 'node:fs';
+import { brotliCompressSync } from 'node:zlib';
+import { nodeResolve } from '@rollup/plugin-node-resolve';
+import terser from '@rollup/plugin-terser';
+import { dts } from 'rollup-plugin-dts';
+import { compileTypeScript, textModule } from './test/node/compile.mjs';
+
+const manifest = (folder) => JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
+
+/** Comments, indentation and trailing spaces go; every line stays where it is, as `#line` directives count them. */
+function stripGlsl(text) {
+  return text
+    .replace(/\/\*[\s\S]*?\*\//g, (comment) => ` ${comment.replace(/[^\n]/g, '')}`)
+    .replace(/\/\/.*/g, '')
+    .replace(/^[ \t]+|[ \t\r]+$/gm, '');
+}
+
+const sources = {
+  name: 'sources',
+  transform(code, path) {
+    if (path.endsWith('.ts')) return { code: compileTypeScript(code, path).code, map: null };
+    return path.endsWith('.glsl') ? { code: textModule(stripGlsl(code)), map: { mappings: '' } } : undefined;
+  },
+};
+
+/** Prints what a browser downloads, and holds every file to the size that its package promises. */
+function sizes(folder) {
+  const { maxBrotliBytes = {} } = manifest(folder);
+  return {
+    name: 'sizes',
+    generateBundle(_options, bundle) {
+      for (const [name, { code }] of Object.entries(bundle)) {
+        const bytes = brotliCompressSync(code).length;
+        const limit = maxBrotliBytes[`dist/${name}`];
+        console.log(`${folder}/dist/${name}: ${bytes} bytes brotli${limit ? ` of ${limit}` : ''}`);
+        if (bytes > limit) this.error(`${name} has ${bytes} bytes brotli, more than the ${limit} of its promise`);
+      }
+    },
+  };
+}
+
+/** A warning of the bundler is a mistake in the sources, and fails the build; dependencies may have their cycles. */
+function onLog(level, log, handle) {
+  if (log.code === 'CIRCULAR_DEPENDENCY' && log.ids.every((id) => id.includes('node_modules'))) return;
+  handle(level === 'warn' ? 'error' : level, log);
+}
+
+function modules(folder, input) {
+  const dependencies = Object.keys(manifest(folder).dependencies);
+  const external = (id) => dependencies.some((name) => id === name || id.startsWith(`${name}/`));
+  // Without hoisting, an entry imports what it uses itself, not what its chunks use.
+  const output = { dir: `${folder}/dist`, chunkFileNames: '[name].js', hoistTransitiveImports: false };
+  const types = dts({ tsconfig: `${folder}/tsconfig.json` });
+  return [
+    { input, output, external, onLog, plugins: [nodeResolve(), sources, sizes(folder)] },
+    { input, output: { ...output, chunkFileNames: '[name].d.ts' }, external, onLog, plugins: [types] },
+  ];
+}
+
+// Every licence of what the one file holds asks to be named with it.
+const licences = (folder) =>
+  `/*! ray-scene ${manifest(folder).version}, MIT. With lit (BSD-3-Clause, Google LLC), gl-matrix and culori (MIT). */`;
+
+function oneFile(folder, name, input) {
+  return {
+    input: { [name]: input },
+    output: { dir: `${folder}/dist`, chunkFileNames: `${name}.[name].js`, banner: licences(folder) },
+    onLog,
+    plugins: [
+      nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
+      sources,
+      terser({ module: true, ecma: 2020, format: { comments: /^!/ } }),
+      sizes(folder),
+    ],
+  };
+}
+
+for (const folder of ['packages/core', 'packages/ray-scene'])
+  rmSync(`${folder}/dist`, { recursive: true, force: true });
+
+export default [
+  ...modules('packages/core', {
+    index: 'packages/core/src/index.ts',
+    reference: 'packages/core/src/reference/index.ts',
+  }),
+  ...modules('packages/ray-scene', {
+    index: 'packages/ray-scene/src/index.ts',
+    element: 'packages/ray-scene/src/element.ts',
+    renderer: 'packages/ray-scene/src/renderer.ts',
+  }),
+  oneFile('packages/ray-scene', 'ray-scene.min', 'packages/ray-scene/src/index.ts'),
+];

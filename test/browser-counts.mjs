@@ -1,0 +1,33 @@
+// A web-test-runner reporter that counts the tests of each engine.
+import { noTests, reportCounts } from './counts.mjs';
+
+function countTests({ suites, tests }, counts) {
+  for (const { skipped, passed } of tests) counts[skipped ? 'skipped' : passed ? 'passed' : 'failed']++;
+  for (const suite of suites) countTests(suite, counts);
+}
+
+/** A page that did not get as far as its tests, or failed outside of them, is one failure. */
+function countPage({ testResults, passed }, counts) {
+  const failedBefore = counts.failed;
+  if (testResults) countTests(testResults, counts);
+  if (!passed && counts.failed === failedBefore) counts.failed++;
+}
+
+export function browserCounts() {
+  /** @type {string[]} */
+  let engines = [];
+  return {
+    start({ browserNames }) {
+      engines = browserNames;
+    },
+    stop({ sessions }) {
+      for (const engine of engines) {
+        const counts = noTests();
+        for (const session of sessions) if (session.browser.name === engine) countPage(session, counts);
+        const group = `browser ${engine.toLowerCase()}`;
+        reportCounts(group, counts);
+        console.log(`${group}: ${counts.passed} passed, ${counts.failed} failed, ${counts.skipped} skipped`);
+      }
+    },
+  };
+}
