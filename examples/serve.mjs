@@ -59,7 +59,9 @@ function pathOf(url) {
 function respond(request, response) {
   const pathname = pathOf(request.url);
   const file = pathname === undefined ? undefined : fileOf(pathname);
-  if (!file) {
+  if (pathname === '/') {
+    response.writeHead(302, { location: '/examples/' }).end();
+  } else if (!file) {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found\n');
   } else if (file.endsWith(`${sep}index.html`) && !/(\/|index\.html)$/.test(pathname)) {
     // Relative links of a folder's page need the slash.

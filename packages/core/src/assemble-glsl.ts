@@ -75,7 +75,10 @@ class Assembler {
       case 'ifdef':
       case 'ifndef':
       case 'if': {
-        const holds = this.#holds(directive === 'if' ? rest : `${directive === 'ifndef' ? '!' : ''}defined(${rest})`, where);
+        const holds = this.#holds(
+          directive === 'if' ? rest : `${directive === 'ifndef' ? '!' : ''}defined(${rest})`,
+          where,
+        );
         branches.push({ active: holds, taken: holds });
         return true;
       }

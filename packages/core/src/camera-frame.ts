@@ -1,5 +1,5 @@
 /** The camera as a ray generator. Packing and the reference tracer share it, so that both shoot the same rays. */
-import { add, addScaled, cross, normalize, scale, subtract, type Vec3 } from './vector.ts';
+import { add, addScaled, cross, length, normalize, scale, subtract, type Vec3 } from './vector.ts';
 
 /** A camera with nothing left open. */
 export interface ResolvedCamera {
@@ -24,7 +24,10 @@ export interface CameraFrame {
 /** Right, up and forward of a camera, as unit vectors. */
 export function cameraAxes({ position, target, up }: ResolvedCamera): { right: Vec3; up: Vec3; forward: Vec3 } {
   const forward = normalize(subtract(target, position));
-  const right = normalize(cross(forward, up));
+  const sideways = cross(forward, normalize(up));
+  // Straight up or down, `up` says nothing: then -z is up, as on a map whose north is -z; or x, if that is no use either.
+  const other: Vec3 = Math.abs(forward[2]) < 0.9 ? [0, 0, -1] : [1, 0, 0];
+  const right = normalize(length(sideways) > Number.EPSILON ? sideways : cross(forward, other));
   return { right, up: cross(right, forward), forward };
 }
 

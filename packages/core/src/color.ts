@@ -25,7 +25,7 @@ export function readColor(text: string): Vec3 | string {
   if ([r, g, b].some((channel) => !(channel >= -GAMUT_ROUNDING && channel <= 1 + GAMUT_ROUNDING))) {
     return 'is outside the sRGB gamut';
   }
-  const linear = toLinear({ mode: 'rgb', r: inUnit(r), g: inUnit(g), b: inUnit(b) });
+  const linear = color.mode === 'lrgb' ? color : toLinear({ mode: 'rgb', r: inUnit(r), g: inUnit(g), b: inUnit(b) });
   return [linear.r, linear.g, linear.b];
 }
 

@@ -15,12 +15,11 @@ const rules: { readonly [label: string]: (node: NodeValues) => readonly (string 
   plane: ({ normal, tangent }) => [
     !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
   ],
-  camera: ({ position, target, up }) => {
-    if (!position) return [];
-    const forward = subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3);
-    if (length(forward) === 0) return ['target must not be the position: the camera would look nowhere'];
-    return [!!up && parallel(forward, up) && 'up must not be parallel to the direction of view'];
-  },
+  camera: ({ position, target }) => [
+    !!position &&
+      length(subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3)) === 0 &&
+      'target must not be the position: the camera would look nowhere',
+  ],
   'directional light': ({ direction, position, target }) => [
     !!direction && !!(position || target) && 'takes a direction, or a position and a target, not both',
     !!target && !position && 'a target needs a position',

@@ -1,2 +1,28 @@
 /** `@ray-scene/core`: scenes, what they require, and the shaders and buffers that draw them. No DOM, no GL. */
-export { parseScene } from './parse-scene.ts';
+export { type AssembledGlsl, assembleGlsl, type GlslSources } from './assemble-glsl.ts';
+export { builtInMaterials } from './built-in-materials.ts';
+export { type CameraFrame, cameraAxes, cameraFrame, type ResolvedCamera, rayDirection } from './camera-frame.ts';
+export { type Field, type Fields, type JsonSchema, Mismatch, type Values } from './fields.ts';
+export { frameObjects } from './frame-objects.ts';
+export { sceneJsonSchema } from './json-schema.ts';
+export { nearestWord } from './nearest-word.ts';
+export { layoutBlocks, packScene, packView } from './pack-scene.ts';
+export { parseScene, type SourceWords } from './parse-scene.ts';
+export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+export { pixelSample } from './random.ts';
+export { type Intersection, intersect } from './reference/intersect.ts';
+export {
+  type Feature,
+  features,
+  mergeRequirements,
+  type Requirements,
+  requirements,
+  requirementsKey,
+} from './requirements.ts';
+export { type ResolvedScene, resolveScene } from './resolve-scene.ts';
+export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
+export * from './schema.ts';
+export { serializeScene } from './serialize-scene.ts';
+export { parseSettings, type RenderSettings, settingsFields } from './settings.ts';
+export type { BlockLayout } from './std140.ts';
+export type { Vec3 } from './vector.ts';

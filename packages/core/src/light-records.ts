@@ -22,7 +22,10 @@ export const lightRecords = {
   point: {
     struct: 'PointLight',
     record: pointRecord,
-    pack: ({ position, color, intensity, decay }: LightOf<'point'>, frame: Frame): RecordValues<typeof pointRecord> => ({
+    pack: (
+      { position, color, intensity, decay }: LightOf<'point'>,
+      frame: Frame,
+    ): RecordValues<typeof pointRecord> => ({
       position: toFrame(frame, position),
       decays: decay === 2 ? 1 : 0,
       // Distances are in units of the frame, so candelas are too.

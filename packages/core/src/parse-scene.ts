@@ -107,6 +107,7 @@ class SceneParser {
       newer
         ? `version ${version} is newer than this ray-scene, which reads version 1: load a newer ray-scene`
         : `version must be 1, not ${shown(version)}`,
+      [],
     );
     return false;
   }

@@ -48,7 +48,10 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   if (!has('specular')) present.delete('specularTint');
 
   add('mixedFalloff', has('falloff') && has('noFalloff'));
-  add('checker', scene.objects.some((object) => scene.materials[object.material]?.checker));
+  add(
+    'checker',
+    scene.objects.some((object) => scene.materials[object.material]?.checker),
+  );
   const reflective = has('metal') || has('specular');
   const shadows = needsShadows(scene);
   add('highlights', reflective && scene.lights.length > 0);
@@ -58,11 +61,20 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   add('environment', !!scene.environment);
   add('gradient', scene.environment?.kind === 'gradient');
   add('backgroundEnvironment', scene.background === 'environment' && !!scene.environment);
-  add('backgroundColor', typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment));
+  add(
+    'backgroundColor',
+    typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment),
+  );
   return {
     bounces: has('reflections') ? bounces : 1,
-    shapes: counts(shapeKinds, scene.objects.map(({ shape }) => shape.type)),
-    lights: counts(lightKinds, scene.lights.map(({ type }) => type)),
+    shapes: counts(
+      shapeKinds,
+      scene.objects.map(({ shape }) => shape.type),
+    ),
+    lights: counts(
+      lightKinds,
+      scene.lights.map(({ type }) => type),
+    ),
     materials: scene.materials.length,
     features: features.filter(has),
   };
@@ -71,7 +83,9 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
 /** What serves both: features that were compiled once stay, so that going back and forth compiles nothing. */
 export function mergeRequirements(a: Requirements, b: Requirements): Requirements {
   const largest = <K extends string>(x: { readonly [P in K]: number }, y: { readonly [P in K]: number }) =>
-    Object.fromEntries(Object.keys(x).map((kind) => [kind, Math.max(x[kind as K], y[kind as K])])) as { [P in K]: number };
+    Object.fromEntries(Object.keys(x).map((kind) => [kind, Math.max(x[kind as K], y[kind as K])])) as {
+      [P in K]: number;
+    };
   return {
     bounces: b.bounces,
     shapes: largest(a.shapes, b.shapes),

@@ -105,8 +105,11 @@ export function writeStruct(
     const at = offset + index * struct.size + member.offset;
     const value = values[member.name];
     if (value === undefined) throw new TypeError(`${struct.name}.${member.name} has no value`);
-    if (typeof value !== 'number') value.forEach((component, i) => view.setFloat32(at + 4 * i, component, true));
-    else if (member.type === 'int') view.setInt32(at, value, true);
+    if (typeof value !== 'number') {
+      value.forEach((component, i) => {
+        view.setFloat32(at + 4 * i, component, true);
+      });
+    } else if (member.type === 'int') view.setInt32(at, value, true);
     else view.setFloat32(at, value, true);
   }
 }

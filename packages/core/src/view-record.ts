@@ -24,10 +24,7 @@ export const surroundingsRecord = [
   { name: 'slope', type: 'vec3', when: 'gradient' },
 ] as const;
 
-export function packSurroundings({
-  background,
-  environment,
-}: ResolvedScene): RecordValues<typeof surroundingsRecord> {
+export function packSurroundings({ background, environment }: ResolvedScene): RecordValues<typeof surroundingsRecord> {
   const { top, bottom } = environment ?? { top: BLACK, bottom: BLACK };
   return {
     background: typeof background === 'string' ? BLACK : background,

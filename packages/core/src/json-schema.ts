@@ -1,0 +1,71 @@
+/** The JSON Schema of scene files, from the same table as the parser: for editors and for other validators. */
+import type { Fields, JsonSchema } from './fields.ts';
+import { color } from './fields.ts';
+import { limits } from './parse-scene.ts';
+import { primitives } from './primitives/index.ts';
+import { camera, environment, lights, material, type NodeTable, objectFields } from './schema.ts';
+
+/**
+ * The schema of what `parseScene` reads, draft 2020-12. It knows the JSON form of every value; the parser also takes
+ * the text that a value has in markup, and checks what a schema cannot: colour names, names of materials, and fields
+ * that contradict each other.
+ */
+export function sceneJsonSchema(): JsonSchema {
+  return {
+    $schema: 'https://json-schema.org/draft/2020-12/schema',
+    title: 'ray-scene',
+    description: 'A scene for <ray-scene>.',
+    ...object({
+      $schema: { type: 'string' },
+      version: { const: 1 },
+      name: { type: 'string' },
+      camera: node(camera),
+      environment: node(environment),
+      background: {
+        description: 'What a camera ray shows that meets no object.',
+        anyOf: [{ enum: ['environment', 'transparent'] }, color('').schema],
+      },
+      lights: list(
+        Object.entries(lights).map(([kind, table]) => variant(kind, table, kind !== 'point')),
+        limits.lights,
+      ),
+      materials: { type: 'object', maxProperties: limits.materials, additionalProperties: node(material) },
+      objects: list(
+        Object.entries(primitives).map(([kind, table]) =>
+          variant(kind, { ...table, fields: { ...table.fields, ...objectFields, ...material.fields } }, true),
+        ),
+        limits.objects,
+      ),
+      extras: { description: "The author's own data, never read." },
+    }),
+  };
+}
+
+const object = (properties: { readonly [name: string]: JsonSchema }, required: readonly string[] = []): JsonSchema => ({
+  type: 'object',
+  properties,
+  required,
+  additionalProperties: false,
+});
+
+const fieldSchemas = (fields: Fields): { readonly [name: string]: JsonSchema } =>
+  Object.fromEntries(
+    Object.entries(fields).map(([name, { doc, schema, default: value }]) => [
+      name,
+      { description: doc, ...schema, ...(value === undefined ? {} : { default: value }) },
+    ]),
+  );
+
+const node = ({ doc, fields }: NodeTable): JsonSchema => ({ description: doc, ...object(fieldSchemas(fields)) });
+
+/** A node that says its kind by `type`; the first kind of light need not. */
+const variant = (kind: string, { doc, fields }: NodeTable, named: boolean): JsonSchema => ({
+  description: doc,
+  ...object({ type: { const: kind }, ...fieldSchemas(fields) }, named ? ['type'] : []),
+});
+
+const list = (variants: readonly JsonSchema[], maxItems: number): JsonSchema => ({
+  type: 'array',
+  maxItems,
+  items: { oneOf: variants },
+});

@@ -1,0 +1,63 @@
+/** Random scene files for fast-check, made from the table itself: a new field or kind is tested without a word here. */
+import { camera, type Fields, lights, material, primitives } from '@ray-scene/core';
+import fc from 'fast-check';
+
+type Json = { [key: string]: unknown };
+
+const byKind = {
+  vector: fc.tuple(...[1, 2, 3].map(() => fc.double({ min: -100, max: 100, noNaN: true }).map(round))),
+  color: fc.oneof(
+    fc.tuple(...[1, 2, 3].map(() => fc.double({ min: 0, max: 1, noNaN: true }).map(round))),
+    fc.constantFrom('crimson', '#08f', 'rgb(10 20 30)', 'hsl(120 50% 50%)', 'color(srgb-linear 0.2 0.3 0.4)'),
+  ),
+  name: fc.constantFrom('a', 'b', 'ball'),
+  text: fc.string(),
+};
+
+function round(x: number): number {
+  return Number(x.toPrecision(6));
+}
+
+/** A value that a field accepts, in its JSON form. */
+function valueFor({ kind, schema, read }: Fields[string]): fc.Arbitrary<unknown> {
+  if (kind === 'choice') return fc.constantFrom(...(schema['enum'] as unknown[]));
+  const { minimum = schema['exclusiveMinimum'], maximum } = schema as { [k: string]: number };
+  const values: fc.Arbitrary<unknown> =
+    kind === 'number'
+      ? fc.double({ min: Math.max(minimum ?? -100, -100), max: Math.min(maximum ?? 100, 100), noNaN: true }).map(round)
+      : byKind[kind as keyof typeof byKind];
+  return values.filter((value) => !(typeof read(value) === 'object' && 'message' in (read(value) as object)));
+}
+
+/** Any of the fields of a node, each present or not. */
+const nodeOf = (fields: Fields): fc.Arbitrary<Json> =>
+  fc.record(Object.fromEntries(Object.entries(fields).map(([name, field]) => [name, valueFor(field)])), {
+    requiredKeys: [],
+  });
+
+const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields = {}): fc.Arbitrary<Json> =>
+  fc.oneof(
+    ...Object.entries(tables).map(([type, { fields }]) =>
+      nodeOf({ ...fields, ...extra }).map((node) => ({ ...node, type })),
+    ),
+  );
+
+/** Takes away fields that contradict each other; what is left is a valid node. */
+function consistent(node: Json): Json {
+  const { direction, position, target, tangent, up, ...rest } = node;
+  if (node['type'] !== 'directional') return node['type'] === 'plane' ? { ...rest } : node;
+  return direction ? { ...rest, direction } : rest;
+}
+
+/** A valid scene file as plain JSON data. */
+export const arbitraryScene: fc.Arbitrary<Json> = fc
+  .record({
+    camera: nodeOf({ fov: camera.fields.fov, position: camera.fields.position }),
+    background: fc.constantFrom('transparent', 'environment', [0.1, 0.2, 0.3], 'navy'),
+    environment: fc.constantFrom({ color: [0.5, 0.6, 0.7] }, { top: 'white', bottom: '#333', intensity: 2 }, undefined),
+    lights: fc.array(variantOf(lights).map(consistent), { maxLength: 3 }),
+    materials: fc.dictionary(fc.constantFrom('a', 'b', 'gold'), nodeOf(material.fields)),
+    objects: fc.array(variantOf(primitives, material.fields).map(consistent), { maxLength: 5 }),
+  })
+  .map(({ environment, ...scene }) => ({ version: 1, ...(environment ? { environment } : {}), ...scene }))
+  .filter(({ camera: { position } }) => !position || (position as number[]).some((x) => x !== 0));
