@@ -19,7 +19,7 @@ function stripGlsl(text) {
 const sources = {
   name: 'sources',
   transform(code, path) {
-    if (path.endsWith('.ts')) return { code: compileTypeScript(code, path).code, map: null };
+    if (path.endsWith('.ts')) return { code: compileTypeScript(code, path), map: null };
     return path.endsWith('.glsl') ? { code: textModule(stripGlsl(code)), map: { mappings: '' } } : undefined;
   },
 };
@@ -59,13 +59,14 @@ function modules(folder, input) {
 }
 
 // Every licence of what the one file holds asks to be named with it.
-const licences = (folder) =>
-  `/*! ray-scene ${manifest(folder).version}, MIT. With lit (BSD-3-Clause, Google LLC), gl-matrix and culori (MIT). */`;
+const LIT = 'lit (BSD-3-Clause, Google LLC), ';
+const licences = (folder, others) =>
+  `/*! ray-scene ${manifest(folder).version}, MIT. With ${others}gl-matrix and culori (MIT). */`;
 
-function oneFile(folder, name, input) {
+function oneFile(folder, name, input, others = '') {
   return {
     input: { [name]: input },
-    output: { dir: `${folder}/dist`, chunkFileNames: `${name}.[name].js`, banner: licences(folder) },
+    output: { dir: `${folder}/dist`, chunkFileNames: `${name}.[name].js`, banner: licences(folder, others) },
     onLog,
     plugins: [
       nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
@@ -89,5 +90,6 @@ export default [
     element: 'packages/ray-scene/src/element.ts',
     renderer: 'packages/ray-scene/src/renderer.ts',
   }),
-  oneFile('packages/ray-scene', 'ray-scene.min', 'packages/ray-scene/src/index.ts'),
+  oneFile('packages/core', 'reference.min', 'packages/core/src/reference/index.ts'),
+  oneFile('packages/ray-scene', 'ray-scene.min', 'packages/ray-scene/src/index.ts', LIT),
 ];

@@ -16,7 +16,7 @@ const sources = {
   name: 'sources',
   resolveMimeType: ({ path }) => (/\.(ts|glsl)$/.test(path) ? 'js' : undefined),
   transform({ path, body }) {
-    if (path.endsWith('.ts')) return compileTypeScript(body, path).code;
+    if (path.endsWith('.ts')) return compileTypeScript(body, path);
     return path.endsWith('.glsl') ? textModule(body) : undefined;
   },
 };

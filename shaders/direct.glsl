@@ -1,48 +1,71 @@
 // Integrator `direct`: T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980, with the
 // microfacet model of today. At every vertex the light of all lights through the full BRDF, then on along the mirror
 // direction, weighted by Fresnel whatever the roughness. No random numbers: free of noise.
-#include "nearest.glsl"
-#include "surface.glsl"
+#include "constants.glsl"
 #include "material/metallic-roughness.glsl"
+#include "surface.glsl"
+#ifdef SPHERES
+#include "shape/sphere.glsl"
+#endif
+#ifdef PLANES
+#include "shape/plane.glsl"
+#endif
 #ifdef ENVIRONMENT
 #include "light/environment.glsl"
 #endif
-#ifdef LIGHTS
-#include "light/lights.glsl"
-#endif
+#include "generated/objects.glsl"
 
 // What a camera ray shows that meets nothing.
-vec4 background(vec3 d) {
+vec4 background(Parts scene, vec3 d) {
 #if defined(BACKGROUND_ENVIRONMENT)
-  return vec4(environmentRadiance(d), 1.0);
+  return vec4(environmentRadiance(scene.surroundings, d), 1.0);
 #elif defined(BACKGROUND_COLOR)
-  return vec4(view[0].background, 1.0);
+  return vec4(scene.surroundings.background, 1.0);
 #else
   return vec4(0.0);
 #endif
 }
 
-vec4 direct(vec3 o, vec3 d) {
+// The light that a surface at p sends towards the eye, along -d.
+vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
+  vec3 light = vec3(0.0);
+#ifdef LIGHTS
+  light += lightAt(scene, from, s, p, d);
+#endif
+#if defined(ENVIRONMENT) && defined(DIELECTRIC)
+  light += diffuseAlbedo(s.material, schlickWeight(s.nv)) * environmentIrradiance(scene.surroundings, s.normal);
+#endif
+  return light;
+}
+
+vec4 direct(vec3 d) {
+  Parts scene = loadParts();
+  From from = fromPoint(scene, vec3(0.0));
+  Hit hit = nearest(scene, from, d, NOTHING);
+  if (hit.t >= MISS) return background(scene, d);
+  vec3 p = hit.t * d;
   vec3 radiance = vec3(0.0);
-  Reflectance throughput = Reflectance(1.0);
-  int own = NONE;
-  for (int bounce = 0; bounce < BOUNCES; bounce++) {
-    Hit hit = nearest(o, d, own);
-    if (hit.object == NONE) {
-      if (bounce == 0) return background(d);
-#ifdef ENVIRONMENT
-      radiance += throughput * environmentRadiance(d);
-#endif
-      break;
-    }
-    Surface s = surfaceAt(hit, o, d);
-    radiance += throughput * lightAt(s, -d);
 #ifdef REFLECTIONS
-    throughput *= mirrorReflectance(s, -d);
-    o = s.position;
-    d = reflect(d, s.normal);
-    own = hit.object;
+  Reflectance throughput = Reflectance(1.0);
+  int bounce = 0;
+  do {
+    from = fromPoint(scene, p);
+    vec3 n = normalAt(scene, from, hit);
+    Surface s = Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
+    radiance += throughput * lightFrom(scene, from, s, p, d);
+    throughput *= fresnel(s.material, schlickWeight(s.nv));
+    d += 2.0 * s.nv * n;
+    hit = nearest(scene, from, d, hit);
+    p += hit.t * d;
+  } while (++bounce < BOUNCES && hit.t < MISS);
+#ifdef ENVIRONMENT
+  radiance += throughput * (hit.t < MISS ? vec3(0.0) : environmentRadiance(scene.surroundings, d));
 #endif
-  }
+#else
+  from = fromPoint(scene, p);
+  vec3 n = normalAt(scene, from, hit);
+  Surface s = Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
+  radiance = lightFrom(scene, from, s, p, d);
+#endif
   return vec4(radiance, 1.0);
 }

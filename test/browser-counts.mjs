@@ -6,11 +6,13 @@ function countTests({ suites, tests }, counts) {
   for (const suite of suites) countTests(suite, counts);
 }
 
-/** A page that did not get as far as its tests, or failed outside of them, is one failure. */
-function countPage({ testResults, passed }, counts) {
-  const failedBefore = counts.failed;
+/** A page that ran no test, or failed outside of its tests, is one failure. */
+function countPage({ testFile, testResults, passed }, counts) {
+  const before = { ...counts };
   if (testResults) countTests(testResults, counts);
-  if (!passed && counts.failed === failedBefore) counts.failed++;
+  const empty = Object.keys(counts).every((key) => counts[key] === before[key]);
+  if (empty && passed) console.error(`No test ran in ${testFile}`);
+  if (empty || (!passed && counts.failed === before.failed)) counts.failed++;
 }
 
 export function browserCounts() {

@@ -54,15 +54,10 @@ async function browserSteps(built) {
     if (process.env.CI) rows.push(failure(`${engine}: no browser`));
   }
   const engines = wantedEngines().filter((engine) => !missing.includes(engine));
-  step(
-    'test:browser',
-    engines.map((engine) => `browser ${engine}`),
-  );
-  if (built)
-    step(
-      'test:e2e',
-      engines.map((engine) => `e2e ${engine}`),
-    );
+  const groups = (kind) => engines.map((engine) => `${kind} ${engine}`);
+  step('test:browser', groups('browser'));
+  if (built) step('test:e2e', groups('e2e'));
+  else rows.push(failure('test:e2e: nothing built'));
 }
 
 function printTable() {

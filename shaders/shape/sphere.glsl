@@ -1,26 +1,52 @@
-// Ray against sphere without cancellation, for rays |d| = 1 and points o relative to the camera.
+// Ray against sphere without cancellation, for unit directions and points relative to the camera, all in f32.
 // Source: E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7 (2019): the
-// discriminant from the part of the centre perpendicular to the ray, the roots without subtraction. Here the power of
-// the point is a product, (|c| - r)(|c| + r), and the discriminant takes whichever of its two forms is the more exact.
+// discriminant from the part of the centre perpendicular to the ray, or b² - power, whichever is the more exact; the
+// roots without subtraction. There are no branches: a driver may run both sides of one anyway.
 
-// The nearest distance t > 0, or MISS. A ray that leaves the sphere itself (`own`) has its own root t = 0 divided out:
-// what is left is linear in t.
-float sphereDistance(Sphere s, vec3 o, vec3 d, bool own) {
+// What all rays from a point share: the way to the centre, and the power |c|² - r² of the point.
+struct SphereFrom {
+  vec3 c;
+  float power;
+};
+
+SphereFrom sphereFrom(Sphere s, vec3 o) {
   vec3 c = s.center - o;
-  float b = dot(c, d);
-  if (own) return b > 0.0 ? 2.0 * b : MISS;
-  float distance = length(c);
-  float power = (distance - s.radius) * (distance + s.radius);
-  if (power > 0.0 && b <= 0.0) return MISS;
-  vec3 aside = c - b * d;
-  float r2 = s.radius * s.radius;
-  float discriminant = b * b < r2 ? b * b - power : r2 - dot(aside, aside);
-  if (discriminant < 0.0) return MISS;
-  float q = b + (b < 0.0 ? -sqrt(discriminant) : sqrt(discriminant));
-  return power > 0.0 ? power / q : max(q, power / q);
+  return SphereFrom(c, dot(c, c) - s.radius2);
 }
 
-// The outward unit normal at a point of the sphere.
-vec3 sphereNormal(Sphere s, vec3 p) {
-  return (p - s.center) / s.radius;
+// How far along the ray the centre is nearest (x), and the square of half the chord that the ray cuts out (y).
+vec2 sphereChord(Sphere s, SphereFrom from, vec3 d) {
+  float b = dot(from.c, d);
+  vec3 aside = from.c - b * d;
+  float b2 = b * b;
+  return vec2(b, mix(s.radius2 - dot(aside, aside), b2 - from.power, b2 < s.radius2));
+}
+
+// The distance to the sphere, or MISS. A ray that leaves the sphere itself (own = 1) does not meet it again from
+// outside; from inside, its own root t = 0 is divided out and the other one is left.
+float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
+  vec2 chord = sphereChord(s, from, d);
+  float root = sqrt(max(chord.y, 0.0));
+  float t = mix(MISS, from.power / (chord.x + root), min(min(chord.x, chord.y), 0.5 - own) > 0.0);
+#ifdef INSIDE
+  float through = chord.x + root;
+  float back = mix(-from.power / (root - chord.x), MISS, own > 0.5);
+  t = mix(t, mix(back, through, chord.x > 0.0), s.curvature < 0.0);
+#endif
+  return t;
+}
+
+// Above 0 where the sphere stands between its outside point and one `limit` away, which is outside too.
+float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
+  vec2 chord = sphereChord(s, from, d);
+  float blocked = min(min(chord.x, limit - chord.x), chord.y);
+#ifdef INSIDE
+  blocked = min(blocked, s.curvature);
+#endif
+  return blocked;
+}
+
+// The unit normal on the camera's side at a point of the sphere, from what that point shares.
+vec3 sphereNormal(Sphere s, SphereFrom from) {
+  return -s.curvature * from.c;
 }

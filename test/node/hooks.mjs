@@ -10,8 +10,8 @@ export function resolve(specifier, context, nextResolve) {
 export async function load(url, context, nextLoad) {
   const path = url.startsWith('file:') ? fileURLToPath(url) : '';
   if (path.endsWith('.ts')) {
-    const { code } = compileTypeScript(await readFile(path, 'utf8'), path);
-    return { format: 'module', source: code, shortCircuit: true };
+    const source = compileTypeScript(await readFile(path, 'utf8'), path);
+    return { format: 'module', source, shortCircuit: true };
   }
   if (path.endsWith('.glsl')) {
     return { format: 'module', source: textModule(await readFile(path, 'utf8')), shortCircuit: true };

@@ -17,7 +17,7 @@ const directionalRecord = [
   { name: 'irradiance', type: 'vec3' },
 ] as const;
 
-/** By kind: the name of the GLSL struct, its members, and their values for a light. */
+/** By kind: the name of the GLSL struct, its members, and their values for a light, over the π of every BRDF. */
 export const lightRecords = {
   point: {
     struct: 'PointLight',
@@ -29,7 +29,7 @@ export const lightRecords = {
       position: toFrame(frame, position),
       decays: decay === 2 ? 1 : 0,
       // Distances are in units of the frame, so candelas are too.
-      intensity: scale(color, intensity * (decay === 2 ? frame.scale * frame.scale : 1)),
+      intensity: scale(color, (intensity * (decay === 2 ? frame.scale * frame.scale : 1)) / Math.PI),
     }),
   },
   directional: {
@@ -37,10 +37,14 @@ export const lightRecords = {
     record: directionalRecord,
     pack: (light: LightOf<'directional'>): RecordValues<typeof directionalRecord> => ({
       toLight: directionToLight(light),
-      irradiance: scale(light.color, light.intensity),
+      irradiance: scale(light.color, light.intensity / Math.PI),
     }),
   },
 } as const satisfies { [K in LightKind]: unknown };
+
+/** The record of a light of any kind. */
+export const packLight = (light: Light, frame: Frame) =>
+  light.type === 'point' ? lightRecords.point.pack(light, frame) : lightRecords.directional.pack(light);
 
 /** Unit vector from any point to a directional light. */
 export function directionToLight(light: LightOf<'directional'>): Vec3 {

@@ -1,21 +1,20 @@
 /** What the shader is told of a material: the numbers that it computes with, worked out once in f64. */
 import type { Material } from './schema.ts';
 import type { RecordValues } from './std140.ts';
-import { scale, type Vec3 } from './vector.ts';
+import { scale, subtract, type Vec3 } from './vector.ts';
 
 export const materialRecord = [
   { name: 'color', type: 'vec3' },
-  { name: 'alpha', type: 'float', when: 'highlights' },
+  { name: 'alpha2', type: 'float', when: 'highlights' },
   { name: 'f0', type: 'vec3', when: 'specularTint' },
-  { name: 'grey0', type: 'float', when: 'specular !specularTint' },
-  { name: 'f90', type: 'float', when: 'specular' },
+  { name: 'f0', type: 'float', when: 'specular !specularTint' },
+  { name: 'f90', type: 'float', when: 'specularWeight' },
   { name: 'metalness', type: 'float', when: 'metal dielectric' },
-  { name: 'checkerSize', type: 'float', when: 'checker' },
-  { name: 'checker', type: 'vec3', when: 'checker' },
+  { name: 'checkerStep', type: 'vec3', when: 'checker' },
 ] as const;
 
-/** Below this, 1 / alpha² leaves the range of f32: the lobe is as narrow as a mirror's and is packed as one. */
-const SMALLEST_ALPHA = 2 ** -60;
+/** A lobe that is narrower than the angle between two directions in f32 is packed as a mirror's, which has none. */
+const SMALLEST_ALPHA = 2 ** -32;
 
 /** GGX alpha of a roughness. */
 export function ggxAlpha(roughness: number): number {
@@ -33,16 +32,14 @@ export function dielectricReflectance({ ior, specular, specularColor }: Material
   return { f0: scale(tinted, specular), f90: specular };
 }
 
-export function packMaterial(material: Material, lengthScale: number): RecordValues<typeof materialRecord> {
+export function packMaterial(material: Material, tinted: boolean): RecordValues<typeof materialRecord> {
   const { f0, f90 } = dielectricReflectance(material);
   return {
     color: material.color,
-    alpha: ggxAlpha(material.roughness),
-    f0,
-    grey0: f0[0],
+    alpha2: ggxAlpha(material.roughness) ** 2,
+    f0: tinted ? f0 : f0[0],
     f90,
     metalness: material.metalness,
-    checker: material.checker ?? material.color,
-    checkerSize: material.checkerSize * lengthScale,
+    checkerStep: material.checker ? subtract(material.checker, material.color) : [0, 0, 0],
   };
 }

@@ -1,12 +1,12 @@
 /** Scene and requirements to the bytes of the two uniform blocks: `Scene` (also when the camera moves) and `View`. */
 import type { CameraFrame } from './camera-frame.ts';
 import { type Frame, powerOfTwoBelow, toFrame } from './frame.ts';
-import { lightRecords } from './light-records.ts';
+import { directionToLight, lightRecords, packLight } from './light-records.ts';
 import { materialRecord, packMaterial } from './material-record.ts';
 import { primitiveOf, primitives, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { lightKinds } from './schema.ts';
+import { type Light, lightKinds, type Material } from './schema.ts';
 import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std140.ts';
 import { length } from './vector.ts';
 import { eyeRecord, packEye, packSurroundings, surroundingsRecord } from './view-record.ts';
@@ -14,11 +14,12 @@ import { eyeRecord, packEye, packSurroundings, surroundingsRecord } from './view
 /** The blocks that a shader with these requirements reads. */
 export function layoutBlocks(required: Requirements): { readonly scene: BlockLayout; readonly view: BlockLayout } {
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
+  const material = { name: 'material', type: 'int', when: 'indexed' } as const;
   const struct = (name: string, members: Parameters<typeof layoutStruct>[1]) => layoutStruct(name, members, has);
   const scene = layoutBlock('Scene', [
     ...shapeKinds.map((kind) => ({
       name: arrayName(kind),
-      struct: struct(structName(kind), primitives[kind].record),
+      struct: struct(structName(kind), [...primitives[kind].record, material]),
       count: required.shapes[kind],
     })),
     ...lightKinds.map((kind) => ({
@@ -48,34 +49,75 @@ export function packingFrame({ camera, objects, lights }: ResolvedScene): Frame 
   return { origin: camera.position, scale: largest > 0 ? 1 / powerOfTwoBelow(largest) : 1 };
 }
 
-/** The bytes of the block `Scene`. */
-export function packScene(scene: ResolvedScene, block: BlockLayout): ArrayBuffer {
-  const bytes = new ArrayBuffer(block.size);
-  const view = new DataView(bytes);
+/**
+ * The bytes of the block `Scene`. Places that the scene does not fill, because an earlier one needed more, stay 0: a
+ * primitive or a light of zeros meets no ray and sends no light.
+ */
+export function packScene(scene: ResolvedScene, required: Requirements, block: BlockLayout): ArrayBuffer {
   const frame = packingFrame(scene);
-  const written = new Map<string, number>();
-  const write = (name: string, values: Parameters<typeof writeStruct>[3]): void => {
-    const entry = block.entries.find((one) => one.name === name);
-    const index = written.get(name) ?? 0;
-    written.set(name, index + 1);
-    if (entry) writeStruct(view, entry, index, values);
-  };
-  for (const { shape, material } of scene.objects) {
-    const checkerSize = scene.materials[material]?.checkerSize ?? 1;
-    write(arrayName(shape.type), { ...primitiveOf(shape).pack(shape, frame, checkerSize), material });
+  const writer = new BlockWriter(block);
+  const indexed = required.features.includes('indexed');
+  const tinted = required.features.includes('specularTint');
+  const material = (index: number) => packMaterial(scene.materials[index] as Material, tinted);
+  if (indexed) scene.materials.forEach((_, i) => writer.write('materials', i, material(i)));
+  let number = 0;
+  for (const kind of shapeKinds) {
+    const ofKind = scene.objects.filter(({ shape }) => shape.type === kind);
+    ofKind.forEach(({ shape, material: index }, i) => {
+      const side = primitiveOf(shape).side(shape, frame.origin);
+      const checkerSize = (scene.materials[index] as Material).checkerSize;
+      const record = primitiveOf(shape).pack(shape, frame, { side, checkerSize });
+      writer.write(arrayName(kind), i, { ...record, material: index });
+      if (!indexed) writer.write('materials', number + i, material(index));
+    });
+    number += required.shapes[kind];
   }
-  for (const light of scene.lights) {
-    const { struct, pack } = lightRecords[light.type] as (typeof lightRecords)['point'];
-    write(arrayName(struct), pack(light as Parameters<typeof pack>[0], frame));
+  for (const kind of lightKinds) {
+    const ofKind = scene.lights.filter(({ type }) => type === kind);
+    ofKind.forEach((light, i) => {
+      writer.write(arrayName(lightRecords[kind].struct), i, packLight(dimmed(scene, light), frame));
+    });
   }
-  for (const material of scene.materials) write('materials', packMaterial(material, frame.scale));
-  write('surroundings', packSurroundings(scene));
-  return bytes;
+  writer.write('surroundings', 0, packSurroundings(scene));
+  return writer.bytes;
 }
 
 /** The bytes of the block `View`. */
 export function packView(frame: CameraFrame, block: BlockLayout): ArrayBuffer {
-  const bytes = new ArrayBuffer(block.size);
-  for (const entry of block.entries) writeStruct(new DataView(bytes), entry, 0, packEye(frame));
-  return bytes;
+  const writer = new BlockWriter(block);
+  writer.write('eye', 0, packEye(frame));
+  return writer.bytes;
+}
+
+class BlockWriter {
+  readonly bytes: ArrayBuffer;
+  readonly #view: DataView;
+  readonly #block: BlockLayout;
+
+  constructor(block: BlockLayout) {
+    this.bytes = new ArrayBuffer(block.size);
+    this.#view = new DataView(this.bytes);
+    this.#block = block;
+  }
+
+  /** Writes the `index`-th struct of an entry, if the shader asks for that entry at all. */
+  write(name: string, index: number, values: Parameters<typeof writeStruct>[3]): void {
+    const entry = this.#block.entries.find((one) => one.name === name);
+    if (entry) writeStruct(this.#view, entry, index, values);
+  }
+}
+
+/**
+ * A light without intensity where none of its light can reach anything that the camera sees. That is so where an object
+ * parts the two: light does not pass through surfaces, so all of its paths stay on the camera's side of every object.
+ */
+function dimmed({ camera, objects }: ResolvedScene, light: Light): Light {
+  const reaches = objects.every(({ shape }) => {
+    const primitive = primitiveOf(shape);
+    const camerasSide = primitive.side(shape, camera.position);
+    return light.type === 'point'
+      ? primitive.side(shape, light.position) === camerasSide
+      : primitive.farSide(shape, directionToLight(light)) * camerasSide >= 0;
+  });
+  return reaches ? light : { ...light, intensity: 0 };
 }

@@ -1,6 +1,6 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
 import type { Field } from './fields.ts';
-import { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { primitiveOf, primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { type LightKind, lightKinds, lights, material } from './schema.ts';
 
@@ -10,6 +10,7 @@ export const features = [
   'dielectric',
   'specular',
   'specularTint',
+  'specularWeight',
   'falloff',
   'noFalloff',
   'sphereChecker',
@@ -17,10 +18,12 @@ export const features = [
   // Derived from the whole scene:
   'mixedFalloff',
   'checker',
+  'reflective',
   'highlights',
   'reflections',
   'shadows',
-  'twoSided',
+  'inside',
+  'indexed',
   'environment',
   'gradient',
   'backgroundColor',
@@ -39,13 +42,19 @@ export interface Requirements {
   readonly features: readonly Feature[];
 }
 
+/** Up to so many objects are written out one by one; more are gone through in loops, and found again by number. */
+const MOST_UNROLLED = 8;
+
+/** Whether a kind can stand between two points outside of it. */
+const isSolid = (kind: ShapeKind): boolean => primitives[kind].occludes(1);
+
 /** What a resolved scene requires, when rays may meet up to `bounces` surfaces. */
 export function requirements(scene: ResolvedScene, { bounces }: { readonly bounces: number }): Requirements {
   const present = new Set<string>([...nodeFeatures(scene), ...checkers(scene)]);
   const has = (feature: Feature): boolean => present.has(feature);
   const add = (feature: Feature, needed: boolean): unknown => needed && present.add(feature);
   if (!has('dielectric')) present.delete('specular');
-  if (!has('specular')) present.delete('specularTint');
+  if (!has('specular')) for (const detail of ['specularTint', 'specularWeight']) present.delete(detail);
 
   add('mixedFalloff', has('falloff') && has('noFalloff'));
   add(
@@ -53,11 +62,18 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
     scene.objects.some((object) => scene.materials[object.material]?.checker),
   );
   const reflective = has('metal') || has('specular');
-  const shadows = needsShadows(scene);
+  const inside = scene.objects.some(
+    ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
+  );
+  const indexed = scene.objects.length > MOST_UNROLLED;
+  const rounded = (count: number): number => (indexed ? roundedUp(count) : count);
+  const severalObjects = scene.objects.length > 1;
+  add('reflective', reflective);
   add('highlights', reflective && scene.lights.length > 0);
-  add('shadows', shadows);
-  add('twoSided', shadows || scene.objects.some(({ shape }) => primitives[shape.type].shadowsItself === 'never'));
-  add('reflections', reflective && bounces > 1 && (shadows || scene.objects.length > 1 || !!scene.environment));
+  add('shadows', severalObjects && scene.lights.length > 0 && scene.objects.some(({ shape }) => isSolid(shape.type)));
+  add('inside', inside);
+  add('indexed', indexed);
+  add('reflections', reflective && (!!scene.environment || (bounces > 1 && (severalObjects || inside))));
   add('environment', !!scene.environment);
   add('gradient', scene.environment?.kind === 'gradient');
   add('backgroundEnvironment', scene.background === 'environment' && !!scene.environment);
@@ -66,7 +82,7 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
     typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment),
   );
   return {
-    bounces: has('reflections') ? bounces : 1,
+    bounces,
     shapes: counts(
       shapeKinds,
       scene.objects.map(({ shape }) => shape.type),
@@ -75,7 +91,7 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
       lightKinds,
       scene.lights.map(({ type }) => type),
     ),
-    materials: scene.materials.length,
+    materials: indexed ? rounded(scene.materials.length) : scene.objects.length,
     features: features.filter(has),
   };
 }
@@ -86,17 +102,23 @@ export function mergeRequirements(a: Requirements, b: Requirements): Requirement
     Object.fromEntries(Object.keys(x).map((kind) => [kind, Math.max(x[kind as K], y[kind as K])])) as {
       [P in K]: number;
     };
+  const shapes = largest(a.shapes, b.shapes);
+  const together = features.filter((feature) => a.features.includes(feature) || b.features.includes(feature));
   return {
     bounces: b.bounces,
-    shapes: largest(a.shapes, b.shapes),
+    shapes,
     lights: largest(a.lights, b.lights),
-    materials: Math.max(a.materials, b.materials),
-    features: features.filter((feature) => a.features.includes(feature) || b.features.includes(feature)),
+    // Objects that are written out one by one have a material each.
+    materials: together.includes('indexed')
+      ? Math.max(a.materials, b.materials)
+      : shapeKinds.reduce((sum, kind) => sum + shapes[kind], 0),
+    features: together,
   };
 }
 
-/** Equal for equal requirements: the key of a program. */
-export const requirementsKey = (required: Requirements): string => JSON.stringify(required);
+/** Equal for requirements that the same program serves. */
+export const requirementsKey = (required: Requirements): string =>
+  JSON.stringify({ ...required, bounces: required.features.includes('reflections') ? required.bounces : 1 });
 
 /** The features that the table of fields names for the values of this scene. */
 function nodeFeatures({ lights: nodes, materials }: ResolvedScene): string[] {
@@ -116,19 +138,15 @@ function switchedOn(fields: { readonly [name: string]: Field<unknown> }, node: o
 const checkers = ({ objects, materials }: ResolvedScene): Feature[] =>
   objects.filter((object) => materials[object.material]?.checker).map(({ shape }) => `${shape.type}Checker` as const);
 
-/**
- * One flat shape, or one convex solid lit from outside, casts no shadow on a side that is lit: the shader then lights
- * only what faces both the light and the eye.
- */
-function needsShadows({ objects, lights: nodes }: ResolvedScene): boolean {
-  const [only, ...others] = objects;
-  if (!only || nodes.length === 0) return false;
-  if (others.length > 0) return true;
-  return primitives[only.shape.type].shadowsItself === 'inside' && nodes.some(({ type }) => type === 'point');
-}
-
-function counts<K extends string>(kinds: readonly K[], found: readonly K[]): { readonly [P in K]: number } {
-  return Object.fromEntries(kinds.map((kind) => [kind, found.filter((one) => one === kind).length])) as {
+function counts<K extends string>(
+  kinds: readonly K[],
+  found: readonly K[],
+  rounded = (count: number) => count,
+): { readonly [P in K]: number } {
+  return Object.fromEntries(kinds.map((kind) => [kind, rounded(found.filter((one) => one === kind).length)])) as {
     [P in K]: number;
   };
 }
+
+/** The next power of two: a scene that grows object by object then compiles a few times, not each time. */
+const roundedUp = (count: number): number => (count === 0 ? 0 : 2 ** Math.ceil(Math.log2(count)));

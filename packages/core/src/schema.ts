@@ -88,7 +88,7 @@ export const material = {
       default: 1,
       min: 0,
       max: 1,
-      switches: { specular: (specular) => specular > 0 },
+      switches: { specular: (specular) => specular > 0, specularWeight: (specular) => specular < 1 },
     }),
     specularColor: color('Tints the straight-on reflection of a dielectric.', {
       default: [1, 1, 1],
@@ -112,6 +112,7 @@ type ObjectOf<K extends ShapeKind> = { readonly type: K } & Values<(typeof primi
 
 export type LightKind = keyof typeof lights;
 export const lightKinds = Object.keys(lights) as readonly LightKind[];
+export const lightType = choice('Kind of light.', lightKinds, { default: 'point' });
 
 export type Camera = Values<typeof camera.fields>;
 export type Light = { [K in LightKind]: LightOf<K> }[LightKind];

@@ -82,17 +82,27 @@ export function layoutBlock(name: string, entries: readonly BlockEntry[]): Block
   return { name, entries: placed, size: end };
 }
 
+/** The GLSL of the structs of a block. */
+export const structGlsl = ({ entries }: BlockLayout): string =>
+  entries
+    .map(
+      ({ struct }) =>
+        `struct ${struct.name} {\n${struct.members.map(({ type, name }) => `  ${type} ${name};\n`).join('')}};\n`,
+    )
+    .join('');
+
 /** The GLSL of a block: its structs, then the block itself. */
-export function blockGlsl({ name, entries }: BlockLayout): string {
-  if (entries.length === 0) return '';
-  const structs = entries.map(
-    ({ struct }) => `struct ${struct.name} {\n${struct.members.map((m) => `  ${m.type} ${m.name};\n`).join('')}};\n`,
+export function blockGlsl(block: BlockLayout): string {
+  if (block.entries.length === 0) return '';
+  const members = block.entries.map(
+    ({ struct, name, count }) => `  ${struct.name} ${name}${count === undefined ? '' : `[${count}]`};\n`,
   );
-  const members = entries.map(
-    (entry) => `  ${entry.struct.name} ${entry.name}${entry.count === undefined ? '' : `[${entry.count}]`};\n`,
-  );
-  return `${structs.join('')}layout(std140) uniform ${name} {\n${members.join('')}};\n`;
+  return `${structGlsl(block)}layout(std140) uniform ${block.name} {\n${members.join('')}};\n`;
 }
+
+/** The swizzle of a member that begins at a component of its 16-byte row. */
+export const componentsGlsl = (type: GlslType, first: number): string =>
+  'xyzw'.slice(first, first + TYPES[type].size / 4);
 
 /** Writes one struct of a block, the `index`-th of an array. Values without a place in the layout are passed over. */
 export function writeStruct(

@@ -13,33 +13,34 @@ export const plane = definePrimitive({
   record: [
     { name: 'normal', type: 'vec3' },
     { name: 'offset', type: 'float' },
-    { name: 'tangent', type: 'vec3', when: 'planeChecker' },
+    { name: 'cellU', type: 'vec3', when: 'planeChecker' },
     { name: 'originU', type: 'float', when: 'planeChecker' },
-    { name: 'bitangent', type: 'vec3', when: 'planeChecker' },
+    { name: 'cellV', type: 'vec3', when: 'planeChecker' },
     { name: 'originV', type: 'float', when: 'planeChecker' },
-    { name: 'material', type: 'int' },
   ],
-  pack(shape, frame, checkerSize) {
+  pack(shape, frame, { side, checkerSize }) {
     const { normal, tangent, bitangent } = planeAxes(shape);
     const point = toFrame(frame, shape.point);
-    const period = 2 * checkerSize * frame.scale;
+    const cell = checkerSize * frame.scale;
     return {
-      normal,
-      offset: dot(normal, point),
-      tangent,
-      bitangent,
-      // The pattern repeats: the corner of a cell pair near the camera serves as well as one far away.
-      originU: withinPeriod(dot(tangent, point), period),
-      originV: withinPeriod(dot(bitangent, point), period),
-      material: 0,
+      // Towards the camera: all light that reaches it leaves the plane on its side.
+      normal: scale(normal, side),
+      offset: side * dot(normal, point),
+      // U and V counted in cells, from the corner of a pair of cells near the camera rather than from far away.
+      cellU: scale(tangent, 1 / cell),
+      originU: withinPair(dot(tangent, point) / cell),
+      cellV: scale(bitangent, 1 / cell),
+      originV: withinPair(dot(bitangent, point) / cell),
     };
   },
   bounds: () => undefined,
   extent: (shape, frame) => Math.abs(dot(planeAxes(shape).normal, toFrame(frame, shape.point))),
-  shadowsItself: 'never',
+  side: (shape, point) => (dot(planeAxes(shape).normal, subtract(point, shape.point)) < 0 ? -1 : 1),
+  farSide: (shape, direction) => Math.sign(dot(planeAxes(shape).normal, direction)) as 1 | 0 | -1,
+  occludes: () => false,
 });
 
-const withinPeriod = (x: number, period: number): number => (period > 0 ? x - period * Math.round(x / period) : 0);
+const withinPair = (cells: number): number => cells - 2 * Math.round(cells / 2);
 
 /** The unit normal and the directions of U and V in the plane, in f64. */
 export function planeAxes(shape: { readonly normal: Vec3; readonly tangent?: Vec3 }): {

@@ -9,6 +9,14 @@ export interface Bounds {
   readonly max: Vec3;
 }
 
+/** What else a record may depend on. */
+export interface PackContext {
+  /** The part of space that the camera is in; see `side`. */
+  readonly side: 1 | -1;
+  /** Of the object's material. */
+  readonly checkerSize: number;
+}
+
 /**
  * What the engine asks of a primitive. Beside it stand `shaders/shape/KIND.glsl` and `reference/shape/KIND.ts`, which
  * define the same functions by the same names (see docs/add-a-primitive.md).
@@ -17,19 +25,26 @@ export interface Primitive<F extends Fields, M extends readonly Member[]> {
   readonly doc: string;
   /** What an author may say of it, in the table of fields. */
   readonly fields: F;
-  /** What the shader is told of it, one std140 record each. `material` is written by the packer. */
+  /** What the shader is told of it, one std140 record each. */
   readonly record: M;
-  /** Rounds to f32 last: in: f64 as authored, out: relative to the camera and scaled by `frame`. */
-  pack(shape: Values<F>, frame: Frame, checkerSize: number): RecordValues<M>;
+  /** In f64, relative to the camera and scaled by `frame`: rounding to f32 is the last step. `side` is the camera's. */
+  pack(shape: Values<F>, frame: Frame, context: PackContext): RecordValues<M>;
   /** What the view must hold, or undefined for what has no end. */
   bounds(shape: Values<F>): Bounds | undefined;
   /** A length that says how large it is, for the scale of the packing. */
   extent(shape: Values<F>, frame: Frame): number;
   /**
-   * Whether it can stand between its own lit side and a light: never for flat ones, `inside` for convex solids, where
-   * only light from within or a look from within makes a shadow.
+   * Which part of space a point is in, where the primitive parts space in two (a solid, a plane without end): 1 in front
+   * or outside, -1 behind or inside. Paths of light that do not pass through surfaces stay on the camera's side.
    */
-  readonly shadowsItself: 'never' | 'inside';
+  side(shape: Values<F>, point: Vec3): 1 | -1;
+  /** The part of space that one gets to in a direction without end; 0 where that depends on the start. */
+  farSide(shape: Values<F>, direction: Vec3): 1 | 0 | -1;
+  /**
+   * Whether it can stand between two points on this side of it. A convex solid cannot for points inside, nor a plane for
+   * points in front or behind.
+   */
+  occludes(side: 1 | -1): boolean;
 }
 
 /** Lets TypeScript infer the fields and the record of a primitive while it checks the rest. */

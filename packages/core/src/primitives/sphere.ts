@@ -1,6 +1,6 @@
 import { number, vector } from '../fields.ts';
 import { toFrame } from '../frame.ts';
-import { length, type Vec3 } from '../vector.ts';
+import { length, subtract, type Vec3 } from '../vector.ts';
 import { definePrimitive } from './primitive.ts';
 
 export const sphere = definePrimitive({
@@ -11,21 +11,21 @@ export const sphere = definePrimitive({
   },
   record: [
     { name: 'center', type: 'vec3' },
-    { name: 'radius', type: 'float' },
-    { name: 'power', type: 'float' },
-    { name: 'material', type: 'int' },
+    { name: 'radius2', type: 'float' },
+    { name: 'curvature', type: 'float' },
   ],
-  pack({ center, radius }, frame) {
-    const c = toFrame(frame, center);
-    const r = radius * frame.scale;
-    const distance = length(c);
-    // The power of the camera point, |c|² - r², as a product: nothing large cancels next to a planet's surface.
-    return { center: c, radius: r, power: (distance - r) * (distance + r), material: 0 };
-  },
+  pack: ({ center, radius }, frame, { side }) => ({
+    center: toFrame(frame, center),
+    radius2: (radius * frame.scale) ** 2,
+    // Negative where the camera is inside, and then every path is: the normal that shading needs points inwards.
+    curvature: side / (radius * frame.scale),
+  }),
   bounds: ({ center, radius }) => ({
     min: center.map((x) => x - radius) as unknown as Vec3,
     max: center.map((x) => x + radius) as unknown as Vec3,
   }),
   extent: ({ center, radius }, frame) => Math.max(length(toFrame(frame, center)), radius * frame.scale),
-  shadowsItself: 'inside',
+  side: ({ center, radius }, point) => (length(subtract(point, center)) < radius ? -1 : 1),
+  farSide: () => 1,
+  occludes: (side) => side > 0,
 });

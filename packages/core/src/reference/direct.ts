@@ -16,15 +16,15 @@ export function direct(scene: ResolvedScene, cameraRay: Ray, bounces: number): R
   let ray = cameraRay;
   let radiance: Vec3 = [0, 0, 0];
   let throughput: Vec3 = [1, 1, 1];
-  for (let bounce = 0; bounce < bounces; bounce++) {
+  for (let bounce = 0; ; bounce++) {
     const hit = nearest(scene, ray);
     if (!hit) {
       if (bounce === 0) return background(scene, ray.direction);
       if (scene.environment) {
         radiance = add(radiance, multiply(throughput, environmentRadiance(scene.environment, ray.direction)));
       }
-      break;
     }
+    if (!hit || bounce === bounces) return [...radiance, 1];
     const surface = surfaceAt(scene, ray, hit);
     const v = negate(ray.direction);
     radiance = add(radiance, multiply(throughput, reflected(scene, surface, v)));
@@ -32,7 +32,6 @@ export function direct(scene: ResolvedScene, cameraRay: Ray, bounces: number): R
     throughput = multiply(throughput, fresnel(surface, weight));
     ray = { origin: surface.position, direction: mirrored(ray.direction, surface.normal), own: hit.object };
   }
-  return [...radiance, 1];
 }
 
 /** The light of all lights that a surface sends towards the eye. */

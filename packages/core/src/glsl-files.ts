@@ -1,0 +1,32 @@
+/** The shader files by their names under `shaders/`: the one place that imports them. */
+import camera from '../../../shaders/camera.glsl';
+import constants from '../../../shaders/constants.glsl';
+import direct from '../../../shaders/direct.glsl';
+import pbrNeutral from '../../../shaders/display/pbr-neutral.glsl';
+import srgb from '../../../shaders/display/srgb.glsl';
+import displayFragment from '../../../shaders/display.frag.glsl';
+import fullscreenVertex from '../../../shaders/fullscreen.vert.glsl';
+import environment from '../../../shaders/light/environment.glsl';
+import lights from '../../../shaders/light/lights.glsl';
+import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
+import plane from '../../../shaders/shape/plane.glsl';
+import sphere from '../../../shaders/shape/sphere.glsl';
+import surface from '../../../shaders/surface.glsl';
+import trace from '../../../shaders/trace.frag.glsl';
+
+export const glslFiles: { readonly [file: string]: string } = {
+  'camera.glsl': camera,
+  'constants.glsl': constants,
+  'direct.glsl': direct,
+  'display.frag.glsl': displayFragment,
+  'display/pbr-neutral.glsl': pbrNeutral,
+  'display/srgb.glsl': srgb,
+  'fullscreen.vert.glsl': fullscreenVertex,
+  'light/environment.glsl': environment,
+  'light/lights.glsl': lights,
+  'material/metallic-roughness.glsl': metallicRoughness,
+  'shape/plane.glsl': plane,
+  'shape/sphere.glsl': sphere,
+  'surface.glsl': surface,
+  'trace.frag.glsl': trace,
+};

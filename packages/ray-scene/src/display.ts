@@ -1,0 +1,61 @@
+/** The last step to a picture: the mean of the samples, exposed, tone mapped and encoded. */
+import { assembleGlsl, type RenderSettings } from '@ray-scene/core';
+import pbrNeutral from '../../../shaders/display/pbr-neutral.glsl';
+import srgb from '../../../shaders/display/srgb.glsl';
+import fragment from '../../../shaders/display.frag.glsl';
+import vertex from '../../../shaders/fullscreen.vert.glsl';
+import type { Accumulation } from './accumulation.ts';
+import type { Program, ProgramSource } from './program.ts';
+import type { ProgramCache } from './program-cache.ts';
+
+type ToneMapping = RenderSettings['toneMapping'];
+
+const files = { 'display.frag.glsl': fragment, 'display/srgb.glsl': srgb, 'display/pbr-neutral.glsl': pbrNeutral };
+const featureOf = { neutral: 'TONE_MAPPING_NEUTRAL', none: undefined } as const satisfies {
+  [T in ToneMapping]: string | undefined;
+};
+
+/** The largest f32: exposures beyond it would be infinite on the GPU. */
+const LARGEST_FLOAT = (2 - 2 ** -23) * 2 ** 127;
+
+export class Display {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #programs: ProgramCache;
+  readonly #key: string;
+  readonly #program: Program;
+  readonly toneMapping: ToneMapping;
+
+  constructor(gl: WebGL2RenderingContext, programs: ProgramCache, toneMapping: ToneMapping) {
+    this.#gl = gl;
+    this.#programs = programs;
+    this.toneMapping = toneMapping;
+    this.#key = `display ${toneMapping}`;
+    this.#program = programs.acquire(this.#key, displaySource(toneMapping));
+  }
+
+  /** Draws the accumulated picture into the bound framebuffer. */
+  draw(accumulation: Accumulation, exposure: number): void {
+    const gl = this.#gl;
+    this.#program.use();
+    accumulation.bindTexture();
+    // The sampler keeps its initial value: texture unit 0.
+    gl.uniform1f(this.#program.uniform('weight'), accumulation.weight);
+    gl.uniform1f(this.#program.uniform('exposure'), Math.min(exposure, LARGEST_FLOAT));
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  dispose(): void {
+    this.#programs.release(this.#key, this.#program);
+  }
+}
+
+function displaySource(toneMapping: ToneMapping): ProgramSource {
+  const feature = featureOf[toneMapping];
+  const known = new Set(Object.values(featureOf).filter((name) => name !== undefined));
+  const { text, lines } = assembleGlsl('display.frag.glsl', {
+    files,
+    known,
+    defined: new Set(feature ? [feature] : []),
+  });
+  return { vertex, fragment: text, lines };
+}

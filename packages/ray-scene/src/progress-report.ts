@@ -1,0 +1,43 @@
+import type { Scene } from '@ray-scene/core';
+import { RaySceneLoadEvent, RaySceneProgressEvent } from './events.ts';
+import { Milestone } from './milestone.ts';
+import type { Progress } from './picture.ts';
+
+/** Tells how far the picture is, by events and by promises. */
+export class ProgressReport {
+  readonly ready = new Milestone();
+  readonly complete = new Milestone();
+  readonly #host: EventTarget;
+  #loads = true;
+
+  constructor(host: EventTarget) {
+    this.#host = host;
+  }
+
+  /** The next picture is of another scene, not of an edited one. */
+  expectLoad(): void {
+    this.#loads = true;
+  }
+
+  /** @param current the scene as it is now, or undefined if the picture is still of an earlier one. */
+  tell({ samples, added, more }: Progress, total: number, current: Scene | undefined): void {
+    if (current) {
+      this.ready.resolve();
+      if (this.#loads) this.#host.dispatchEvent(new RaySceneLoadEvent(current));
+      this.#loads = false;
+    }
+    if (added) this.#host.dispatchEvent(new RaySceneProgressEvent('progress', samples, total));
+    if (more) {
+      this.complete.renew();
+      return;
+    }
+    if (current) this.complete.resolve();
+    if (added) this.#host.dispatchEvent(new RaySceneProgressEvent('complete', samples, total));
+  }
+
+  fail(error: Error): void {
+    this.#loads = true;
+    this.ready.reject(error);
+    this.complete.reject(error);
+  }
+}

@@ -1,0 +1,304 @@
+import {
+  type Background,
+  frameObjects,
+  type Problem,
+  parseScene,
+  type ResolvedCamera,
+  type Scene,
+  SceneError,
+  type SourceWords,
+} from '@ray-scene/core';
+import { html, nothing, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
+import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
+import type { RaySceneEvents } from './events.ts';
+import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
+import { type Frame, FrameLoop } from './frame-loop.ts';
+import { Orbit, type OrbitHost } from './orbit.ts';
+import { Picture } from './picture.ts';
+import { ProgressReport } from './progress-report.ts';
+import { type RenderStats, WebGLUnavailableError } from './renderer.ts';
+import { ErrorReport } from './report.ts';
+import type { SceneHost } from './scene-elements.ts';
+import { SettingsElement } from './settings-element.ts';
+import { judge, type Reading, SceneSource, type SourceHost } from './source.ts';
+import { styles } from './styles.ts';
+
+// The typed events first: of several overloads TypeScript takes the first that fits.
+const TypedElement = SettingsElement as unknown as Omit<typeof SettingsElement, 'prototype'> &
+  (new () => RaySceneEvents & InstanceType<typeof SettingsElement>);
+
+const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true });
+
+/**
+ * A ray-traced view of a scene.
+ *
+ * @slot - The scene: `<ray-sphere>` and the others, or one `<script type="application/json">`. Any other content is
+ * shown instead of the picture where there is no WebGL2.
+ * @slot poster - Shown until there is a picture.
+ * @csspart canvas - The picture.
+ * @csspart poster - What is shown until there is a picture.
+ * @csspart error - What is wrong, in words.
+ * @cssprop --ray-scene-error-color
+ * @cssprop --ray-scene-error-background
+ * @cssprop --ray-scene-focus-ring - An outline.
+ */
+export class RayScene extends TypedElement implements CanvasHost, OrbitHost, SceneHost, SourceHost {
+  static override readonly styles = styles;
+  static override readonly properties: PropertyDeclarations = {
+    src: {},
+    crossOrigin: {},
+    alt: {},
+    poster: {},
+    background: {},
+    loading: { reflect: true, useDefault: true },
+    cameraControls: flag('camera-controls'),
+    autoRotate: flag('auto-rotate'),
+    paused: flag('paused'),
+  };
+
+  /** Address of a scene as JSON. */
+  declare src: string | null;
+  /** As on `<img>`: with `use-credentials`, cookies are sent to other origins too. */
+  declare crossOrigin: string | null;
+  /** What the picture shows, in words. */
+  declare alt: string | null;
+  /** Address of an image, shown until there is a picture. */
+  declare poster: string | null;
+  /** Replaces the background of the scene: a CSS colour, linear [r, g, b], `environment` or `transparent`. */
+  declare background: string | readonly [number, number, number] | null;
+  /** With `lazy` nothing is loaded before the element comes into sight. */
+  declare loading: 'eager' | 'lazy';
+  /** Whether people can look around by pointer, wheel and keyboard. */
+  declare cameraControls: boolean;
+  /** Whether the camera walks around the scene, unless the reader of the page wants no motion. */
+  declare autoRotate: boolean;
+  /** Whether the picture stays as it is but for edits. */
+  declare paused: boolean;
+
+  readonly #source = new SceneSource(this, () => this.#sceneChanged());
+  readonly #loop = new FrameLoop(this, (frame) => this.#frame(frame));
+  readonly #size = new CanvasSize(this, () => this.#viewChanged());
+  readonly #orbit = new Orbit(this, () => this.#viewChanged());
+  readonly #report = new ErrorReport(this);
+  readonly #progress = new ProgressReport(this);
+  #picture: Picture | undefined;
+  #reading: Reading | undefined;
+  /** What is wrong with the attributes of the element itself. */
+  #ownProblems: readonly Problem[] = [];
+  /** The last good scene, its JSON, and where it came from. */
+  #scene: Scene | undefined;
+  #json = '';
+  #origin = '';
+  /** What keeps the scene from being drawn. */
+  #failure: Error | undefined;
+  /** Whether something on the element itself has changed. */
+  #stale = true;
+  #hasBeenSeen = false;
+  #hasPicture = false;
+
+  constructor() {
+    super();
+    this.src = this.crossOrigin = this.alt = this.poster = this.background = null;
+    this.cameraControls = this.autoRotate = this.paused = false;
+    this.loading = 'eager';
+  }
+
+  /** The scene that is shown. Takes a scene, as an object or as JSON text, which goes before any other source. */
+  get scene(): Scene | undefined {
+    return this.#scene;
+  }
+
+  set scene(scene: object | string | null | undefined) {
+    this.#progress.expectLoad();
+    this.#source.assign(scene);
+  }
+
+  /** The camera of the picture. One that is set stands in for the scene's, until the author edits that. */
+  get camera(): ResolvedCamera | undefined {
+    return this.#orbit.override ?? this.#picture?.camera;
+  }
+
+  set camera(camera: Partial<ResolvedCamera> | undefined) {
+    const whole = camera && parseScene({ camera: { ...this.camera, ...camera } });
+    this.#orbit.reset(whole && frameObjects({ ...whole, objects: this.#scene?.objects ?? [] }, 1));
+  }
+
+  /** Goes back to the scene's own camera. */
+  resetCamera(): void {
+    this.#orbit.reset();
+  }
+
+  /** Resolves when the scene, as it is now, is seen; rejects if it cannot be. */
+  get ready(): Promise<void> {
+    this.#flush();
+    return this.#progress.ready.promise;
+  }
+
+  /** Resolves when the picture has all its samples. */
+  get complete(): Promise<void> {
+    this.#flush();
+    return this.#progress.complete.promise;
+  }
+
+  get stats(): RenderStats | undefined {
+    return this.#picture?.stats;
+  }
+
+  /** The picture as an image file, once there is one. */
+  async toBlob(type?: string, quality?: number): Promise<Blob> {
+    await this.ready;
+    const blob = await new Promise<Blob | null>((done) => canvasOf(this)?.toBlob(done, type, quality));
+    if (!blob) throw new Error(`This browser makes no ${type ?? 'image'} of a canvas`);
+    return blob;
+  }
+
+  /** The linear radiance of the picture: RGBA premultiplied, the top row first; empty before there is one. */
+  readRadiance(): Float32Array {
+    return this.#picture?.readRadiance() ?? new Float32Array();
+  }
+
+  /** For the elements of the scene. */
+  markupChanged(): void {
+    this.#source.touch();
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    adoptEarlyProperties(this, [...Object.keys(this.fields), 'scene', 'camera']);
+    this.#failure = undefined;
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#picture?.dispose();
+    this.#picture = undefined;
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('src') || changed.has('crossOrigin')) this.#source.touch();
+  }
+
+  protected override render(): TemplateResult {
+    const hasWebGL = !this.#lacksWebGL;
+    const keys = this.cameraControls;
+    return html`
+      <canvas
+        part="canvas"
+        role="img"
+        aria-label=${this.alt || this.#scene?.name || 'Ray-traced scene'}
+        aria-describedby=${keys ? 'keys' : nothing}
+        tabindex=${keys ? 0 : nothing}
+        ?hidden=${!hasWebGL}
+      ></canvas>
+      <span id="keys" hidden>Arrow keys look around, with shift they move; plus and minus zoom; 0 starts over.</span>
+      <div part="poster" ?hidden=${this.#hasPicture || !hasWebGL}>
+        <slot name="poster">${this.poster ? html`<img src=${this.poster} alt="" />` : nothing}</slot>
+      </div>
+      <div class=${hasWebGL ? 'nodes' : ''}><slot></slot></div>
+      ${this.#report.render()}
+    `;
+  }
+
+  protected override updated(): void {
+    this.#stale = true;
+    this.#viewChanged();
+  }
+
+  get #lacksWebGL(): boolean {
+    return this.#failure instanceof WebGLUnavailableError;
+  }
+
+  #sceneChanged(): void {
+    this.#progress.ready.renew();
+    this.#viewChanged();
+  }
+
+  #viewChanged(): void {
+    this.#progress.complete.renew();
+    this.#loop.request();
+  }
+
+  /** Whoever asks for a promise has made all edits that it is to be about, even those that are yet to be noticed. */
+  #flush(): void {
+    this.#source.flush();
+    if (this.isUpdatePending) this.#sceneChanged();
+  }
+
+  #frame(frame: Frame): boolean {
+    this.#hasBeenSeen ||= frame.visible || this.loading !== 'lazy';
+    if (!this.#hasBeenSeen) return false;
+    this.#update();
+    return frame.visible && this.#scene !== undefined && this.#draw(this.#scene, frame);
+  }
+
+  #update(): void {
+    const reading = this.#source.read();
+    if (!reading && !this.#stale) return;
+    this.#stale = false;
+    this.#reading = reading ?? this.#reading;
+    const own = judge('attributes', { background: this.background ?? undefined }, ownWords);
+    this.#ownProblems = [...this.attributeProblems, ...own.problems];
+    const { scene, origin } = this.#reading ?? {};
+    if (scene && origin) this.#adopt(scene, origin, own.scene?.background);
+    this.#tell();
+  }
+
+  #adopt(parsed: Scene, origin: string, background: Background | undefined): void {
+    const scene = background ? { ...parsed, background } : parsed;
+    const isOther = origin !== this.#origin;
+    const before = this.#scene;
+    this.#origin = origin;
+    if (isOther) this.#progress.expectLoad();
+    const json = JSON.stringify(scene);
+    // Setting the same scene anew would throw its samples away.
+    if (json === this.#json) return;
+    this.#json = json;
+    this.#scene = scene;
+    if (before && (isOther || JSON.stringify(before.camera) !== JSON.stringify(scene.camera))) this.#orbit.reset();
+    if (before?.name !== scene.name) this.requestUpdate();
+  }
+
+  #tell(): void {
+    const problems = [...this.#ownProblems, ...(this.#reading?.problems ?? [])];
+    const error = this.#failure ?? (problems.length > 0 ? new SceneError(problems) : undefined);
+    this.#report.tell(error);
+    const shows = !this.#failure && (!this.#reading || this.#reading.scene);
+    if (error && !shows) this.#progress.fail(error);
+  }
+
+  #fail(error: Error): void {
+    this.#failure = error;
+    this.#tell();
+  }
+
+  #draw(scene: Scene, { seconds, sharers }: Frame): boolean {
+    const { settings, paused } = this;
+    const size = this.#size.measure(settings.pixelRatio);
+    const picture = size[0] * size[1] > 0 ? this.#openPicture() : undefined;
+    if (!picture) return false;
+    const turns = !paused && this.#orbit.turn(seconds);
+    const shown = { scene, settings, camera: this.#orbit.override, size };
+    const progress = picture.draw(shown, paused ? 0 : settings.frameBudget / sharers);
+    // The context is lost, or the scene cannot be drawn.
+    if (progress.samples === 0) return false;
+    if (this.#failure) {
+      this.#failure = undefined;
+      this.#tell();
+    }
+    if (!this.#hasPicture) this.requestUpdate();
+    this.#hasPicture = true;
+    const isCurrent = !this.#source.pending && this.#reading?.scene;
+    this.#progress.tell(progress, settings.samples, isCurrent ? scene : undefined);
+    return !paused && (turns || progress.more);
+  }
+
+  #openPicture(): Picture | undefined {
+    const canvas = canvasOf(this);
+    if (!canvas || this.#lacksWebGL) return undefined;
+    const onerror = (error: Error) => this.#fail(error);
+    this.#picture ??= Picture.open(canvas, onerror, () => this.#viewChanged());
+    return this.#picture;
+  }
+}
+
+const ownWords: SourceWords = { locate: () => 'ray-scene', field: 'attribute', spell: attributeOf };

@@ -1,0 +1,141 @@
+/** The child elements of a `<ray-scene>` as the plain object that they describe, for `parseScene` to judge. */
+import { nearestWord, type Problem, type SourceWords } from '@ray-scene/core';
+import { attributeOf, fieldOf } from './field-properties.ts';
+import { SceneElement, sceneElements } from './scene-elements.ts';
+
+/** What markup says. */
+export interface Markup {
+  readonly input: object;
+  /** How `parseScene` tells where a problem is. */
+  readonly words: SourceWords;
+  /** What is wrong with the elements themselves. */
+  readonly problems: readonly Problem[];
+}
+
+/** Whether a child of `<ray-scene>` is meant to be a part of the scene; anything else is content for people. */
+export function isSceneMarkup(element: Element): boolean {
+  const { localName } = element;
+  return (
+    element instanceof SceneElement ||
+    localName.startsWith('ray-') ||
+    element instanceof HTMLUnknownElement ||
+    (/^r\w*-/.test(localName) && !customElements.get(localName) && nearestTag(localName) !== undefined)
+  );
+}
+
+export function readMarkup(scene: Element): Markup {
+  const reader = new MarkupReader(scene);
+  for (const child of scene.children) reader.read(child);
+  return reader;
+}
+
+/** `ray-scene > ray-sphere[2]`: the index counts from 1 among siblings of the same tag, if there are several. */
+function place(scene: Element, element: Element): string {
+  const { localName, parentElement } = element;
+  if (element === scene || !parentElement) return localName;
+  const alike = [...parentElement.children].filter((sibling) => sibling.localName === localName);
+  const index = alike.length > 1 ? `[${alike.indexOf(element) + 1}]` : '';
+  return `${place(scene, parentElement)} > ${localName}${index}`;
+}
+
+/** What every element may have, and what frameworks leave on any element, as Vue's `v-…` and Alpine's `@…`. */
+const ANYWHERE =
+  /^(?:id|class|style|slot|part|exportparts|title|lang|dir|hidden|inert|tabindex|role|is|itemprop|nonce|draggable|translate|popover|autofocus|accesskey|contenteditable|spellcheck|xmlns|[^a-z].*|[a-z]{1,2}[-:].*|(?:aria|data)-.*|on.*)$/;
+
+/** The attributes of an element that mean nothing on it. */
+export const unknownAttributes = (element: Element, known: readonly string[]): string[] =>
+  element.getAttributeNames().filter((name) => !known.includes(name) && !ANYWHERE.test(name));
+
+const tags = Object.keys(sceneElements);
+
+/** The tag that was meant; people also write a node's name without its prefix. */
+function nearestTag(typed: string): string | undefined {
+  const near = nearestWord(typed, [...tags, ...tags.map((tag) => tag.slice(4))]);
+  return near && (tags.includes(near) ? near : `ray-${near}`);
+}
+
+class MarkupReader implements Markup {
+  readonly problems: Problem[] = [];
+  readonly words: SourceWords = {
+    locate: (path) => place(this.#scene, this.#elements.get(key(path)) ?? this.#scene),
+    field: 'attribute',
+    spell: attributeOf,
+  };
+  readonly #scene: Element;
+  /** By the path of a node, the element that it was read from. */
+  readonly #elements = new Map<string, Element>();
+  readonly #singles: { camera?: object; environment?: object } = {};
+  readonly #lists: { readonly lights: object[]; readonly objects: object[] } = { lights: [], objects: [] };
+  readonly #materials = new Map<string, object>();
+
+  constructor(scene: Element) {
+    this.#scene = scene;
+  }
+
+  get input(): object {
+    return { ...this.#singles, ...this.#lists, materials: Object.fromEntries(this.#materials) };
+  }
+
+  read(element: Element): void {
+    if (!isSceneMarkup(element)) return;
+    if (element instanceof SceneElement) this.#node(element);
+    else this.#unknown(element);
+    // What stands inside was meant to stand beside: what else is wrong with it is told at the same time.
+    for (const child of element.children) this.read(child);
+  }
+
+  #node(element: SceneElement): void {
+    const { kind, localName: tag } = element;
+    const raw = { ...strangers(element), ...element.given };
+    if (element.childElementCount > 0) {
+      this.#report(element, `holds other elements, as <${tag}/> does in HTML: write <${tag}></${tag}>`);
+    }
+    if (kind === 'camera' || kind === 'environment') this.#single(kind, element, raw);
+    else if (kind === 'material') this.#material(element, raw);
+    else if (kind === 'light') this.#item('lights', element, raw);
+    else {
+      if ('type' in raw) this.#report(element, `unknown attribute "type": <${tag}> says it already`);
+      this.#item('objects', element, { ...raw, type: kind });
+    }
+  }
+
+  #single(kind: 'camera' | 'environment', element: Element, raw: object): void {
+    if (this.#singles[kind]) this.#report(element, `a scene has one ${kind}, and this is another`);
+    this.#singles[kind] = raw;
+    this.#elements.set(kind, element);
+  }
+
+  #item(list: 'lights' | 'objects', element: Element, raw: object): void {
+    this.#elements.set(key([list, this.#lists[list].push(raw) - 1]), element);
+  }
+
+  #material(element: Element, { name, ...raw }: { readonly [field: string]: unknown }): void {
+    if (typeof name !== 'string' || !name.trim()) this.#report(element, 'needs a name, for objects to refer to');
+    else if (this.#materials.has(name)) this.#report(element, `another material has the name "${name}"`);
+    this.#materials.set(String(name), raw);
+    this.#elements.set(key(['materials', String(name)]), element);
+  }
+
+  #unknown(element: Element): void {
+    const near = nearestTag(element.localName);
+    const meant = near ? ` (did you mean <${near}>?)` : '';
+    const holds = tags.map((tag) => `<${tag}>`).join(', ');
+    this.#report(element, `unknown element <${element.localName}>${meant}. A ray-scene holds: ${holds}.`);
+  }
+
+  #report(element: Element, message: string): void {
+    this.problems.push({ path: [], where: place(this.#scene, element), message });
+  }
+}
+
+/** Of a node, whatever in the node a path goes on to. */
+const key = (path: Problem['path']): string => path.slice(0, 2).join('/');
+
+/** Attributes that mean nothing, for `parseScene` to complain about. */
+const strangers = (element: SceneElement): { readonly [field: string]: unknown } =>
+  Object.fromEntries(
+    unknownAttributes(element, Object.keys(element.fields).map(attributeOf)).map((name) => [
+      fieldOf(name),
+      element.getAttribute(name),
+    ]),
+  );

@@ -1,0 +1,34 @@
+import { type Problem, SceneError } from '@ray-scene/core';
+import { html, type ReactiveControllerHost, type TemplateResult } from 'lit';
+import { RaySceneErrorEvent } from './events.ts';
+
+/** Tells what is wrong: in the element for who looks at it, on the console for who wrote it, as an event for scripts. */
+export class ErrorReport {
+  readonly #host: ReactiveControllerHost & EventTarget;
+  #error: Error | undefined;
+
+  constructor(host: ReactiveControllerHost & EventTarget) {
+    this.#host = host;
+  }
+
+  /** All that is wrong now, or undefined. What was told before and has not changed is not told again. */
+  tell(error: Error | undefined): void {
+    if (error?.message === this.#error?.message) return;
+    const known = lines(this.#error);
+    this.#error = error;
+    this.#host.requestUpdate();
+    if (!error) return;
+    for (const line of lines(error)) if (!known.includes(line)) console.error(line);
+    this.#host.dispatchEvent(new RaySceneErrorEvent(error));
+  }
+
+  render(): TemplateResult {
+    // A long text scrolls, so it can have the focus.
+    return html`<div part="error" role="alert" tabindex="0" ?hidden=${!this.#error}>${this.#error?.message}</div>`;
+  }
+}
+
+const lines = (error: Error | undefined): string[] =>
+  error instanceof SceneError ? error.problems.map(lineOf) : error ? [error.message] : [];
+
+const lineOf = ({ where, message }: Problem): string => `${where}: ${message}`;

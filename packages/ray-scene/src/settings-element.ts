@@ -1,0 +1,73 @@
+import {
+  Mismatch,
+  nearestWord,
+  type Problem,
+  parseSettings,
+  type RenderSettings,
+  settingsFields,
+} from '@ray-scene/core';
+import { LitElement } from 'lit';
+import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
+import { unknownAttributes } from './read-markup.ts';
+
+const names = Object.keys(settingsFields);
+const attributes = names.map(attributeOf);
+
+/** An element with the settings of the core's table as attributes and properties. */
+class LitSettingsElement extends LitElement implements FieldHost {
+  static override get observedAttributes(): string[] {
+    // biome-ignore lint/complexity/noThisInStatic: lit lists the attributes of the class that is asked, a subclass.
+    return [...super.observedAttributes, ...attributes];
+  }
+
+  readonly fields = settingsFields;
+  readonly given: { [field: string]: unknown } = {};
+  #settings: RenderSettings | undefined;
+
+  /** What is given, and the defaults of what is not or cannot be read. The same object until one of them changes. */
+  get settings(): RenderSettings {
+    this.#settings ??= parseSettings(Object.fromEntries(names.map((name) => [name, Reflect.get(this, name)])));
+    return this.#settings;
+  }
+
+  /** What is wrong with the attributes: settings that cannot be read, and words that mean nothing. */
+  get attributeProblems(): readonly Problem[] {
+    const known = (this.constructor as typeof LitSettingsElement).observedAttributes;
+    const where = this.localName;
+    const unknown = unknownAttributes(this, known).map((name) => {
+      const near = nearestWord(name, known);
+      const meant = near ? ` (did you mean "${near}"?)` : '';
+      return {
+        path: [],
+        where,
+        message: `unknown attribute "${name}"${meant}. A ${where} takes: ${known.join(', ')}.`,
+      };
+    });
+    const unreadable = Object.entries(settingsFields).flatMap(([name, field]) => {
+      const value = this.given[name];
+      const read = value === undefined ? undefined : field.read(value);
+      if (!(read instanceof Mismatch)) return [];
+      const found = typeof value === 'string' ? `"${value}"` : String(value);
+      return [{ path: [], where, message: `${attributeOf(name)} ${read.message}, not ${found}` }];
+    });
+    return [...unknown, ...unreadable];
+  }
+
+  override attributeChangedCallback(attribute: string, before: string | null, text: string | null): void {
+    if (attributes.includes(attribute)) give(this, fieldOf(attribute), text);
+    else super.attributeChangedCallback(attribute, before, text);
+  }
+
+  fieldChanged(): void {
+    this.#settings = undefined;
+    this.requestUpdate();
+  }
+}
+
+defineFieldProperties(LitSettingsElement, settingsFields);
+
+type Settings = { -readonly [K in keyof typeof settingsFields]: (typeof settingsFields)[K]['default'] };
+
+/** The base class of `<ray-scene>`, with the properties that `defineFieldProperties` gave it. */
+export const SettingsElement = LitSettingsElement as unknown as Omit<typeof LitSettingsElement, 'prototype'> &
+  (new () => LitSettingsElement & Settings);
