@@ -40,7 +40,7 @@ vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
 
 vec4 direct(vec3 d) {
   Parts scene = loadParts();
-  From from = fromPoint(scene, vec3(0.0));
+  From from = fromCamera(scene);
   Hit hit = nearest(scene, from, d, NOTHING);
   if (hit.t >= MISS) return background(scene, d);
   vec3 p = hit.t * d;

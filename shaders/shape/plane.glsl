@@ -10,6 +10,10 @@ PlaneFrom planeFrom(Plane s, vec3 o) {
   return PlaneFrom(dot(s.normal, o) - s.offset);
 }
 
+PlaneFrom planeFromCamera(Plane s) {
+  return PlaneFrom(-s.offset);
+}
+
 // The distance to the plane, or MISS. A ray that leaves the plane itself (own = 1) never meets it again.
 float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
   float approach = -dot(s.normal, d);

@@ -14,6 +14,11 @@ SphereFrom sphereFrom(Sphere s, vec3 o) {
   return SphereFrom(c, dot(c, c) - s.radius2);
 }
 
+// From the camera, whose power was worked out in f64: next to a planet's surface, f32 would have none of it right.
+SphereFrom sphereFromCamera(Sphere s) {
+  return SphereFrom(s.center, s.power);
+}
+
 // How far along the ray the centre is nearest (x), and the square of half the chord that the ray cuts out (y).
 vec2 sphereChord(Sphere s, SphereFrom from, vec3 d) {
   float b = dot(from.c, d);

@@ -3,7 +3,12 @@ import { parseScene, parseSettings } from '@ray-scene/core';
 import { QuarantineError, RenderDevice, Renderer } from '../../packages/ray-scene/src/renderer.ts';
 import { loseAndRestore } from './gl-fixtures.ts';
 
-const ball = parseScene({ objects: [{ type: 'sphere', color: 'crimson' }], lights: [{ type: 'directional' }] });
+// Opaque: how a canvas rounds what is transparent when it is read depends on where it keeps it just then.
+const ball = parseScene({
+  background: 'navy',
+  objects: [{ type: 'sphere', color: 'crimson' }],
+  lights: [{ type: 'directional' }],
+});
 const plane = parseScene({ objects: [{ type: 'plane', color: 'crimson' }], lights: [{ type: 'directional' }] });
 
 describe('loss of the context', () => {
@@ -107,7 +112,7 @@ describe('loss of the context', () => {
     complete(good.renderer);
     expect(good.renderer.samples).to.equal(3);
     // The same with other numbers stays where it is; another scene is given a chance.
-    bad.renderer.setScene(parseScene({ objects: [{ type: 'sphere', radius: 2 }], lights: [{ type: 'directional' }] }));
+    bad.renderer.setScene(parseScene({ ...ball, objects: [{ type: 'sphere', radius: 2 }] }));
     expect(bad.renderer.draw(1)).to.equal(false);
     bad.renderer.setScene(plane);
     complete(bad.renderer);

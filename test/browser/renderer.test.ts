@@ -4,8 +4,11 @@ import { RenderDevice, Renderer } from '../../packages/ray-scene/src/renderer.ts
 import { countObjects } from './gl-fixtures.ts';
 
 const light = { type: 'directional', direction: [-1, -2, -3] };
-const ball = parseScene({ objects: [{ type: 'sphere', color: 'crimson' }], lights: [light] });
+// Opaque: how a canvas rounds what is transparent when it is read depends on where it keeps it just then.
+const background = 'navy';
+const ball = parseScene({ background, objects: [{ type: 'sphere', color: 'crimson' }], lights: [light] });
 const ballOnPlane = parseScene({
+  background,
   objects: [
     { type: 'sphere', color: 'crimson' },
     { type: 'plane', point: [0, -1, 0] },
@@ -15,11 +18,9 @@ const ballOnPlane = parseScene({
 
 const settings = parseSettings({ samples: 4 });
 
-/** Draws until the picture is complete; returns how often that took. */
-function complete(renderer: Renderer): number {
-  let draws = 1;
-  while (renderer.draw(1)) draws++;
-  return draws;
+/** Draws until the picture is complete. */
+function complete(renderer: Renderer): void {
+  while (renderer.draw(1));
 }
 
 describe('Renderer', () => {
@@ -103,13 +104,12 @@ describe('Renderer', () => {
     const canvas = document.createElement('canvas');
     const renderer = make(ball, 8, canvas);
     complete(renderer);
-    const before = pixels(canvas);
     const radiance = renderer.readRadiance();
+    expect(pixels(canvas).some((value, i) => i % 4 < 3 && value > 0)).to.equal(true);
     renderer.setSettings(parseSettings({ samples: 4, exposure: 0 }));
     expect(renderer.draw(10)).to.equal(false);
     expect(renderer.readRadiance()).to.deep.equal(radiance);
-    expect(pixels(canvas).filter((_, i) => i % 4 === 3)).to.deep.equal(before.filter((_, i) => i % 4 === 3));
-    expect(pixels(canvas).filter((value, i) => i % 4 < 3 && value > 0).length).to.equal(0);
+    expect(pixels(canvas).some((value, i) => i % 4 < 3 && value > 0)).to.equal(false);
   });
 
   it('keeps the old picture until it has one of the new size', () => {
@@ -159,6 +159,26 @@ describe('Renderer', () => {
     expect(renderer.samples, 'the same camera again').to.equal(4);
     renderer.setCamera(undefined);
     expect(renderer.camera.position).to.deep.equal([0, 0, 9]);
+  });
+
+  it('draws the same in half floats, as far as they go', () => {
+    const renderer = make(ball);
+    complete(renderer);
+    const full = renderer.readRadiance();
+    const halfDevice = new RenderDevice({ precision: 'half' });
+    const other = new Renderer(document.createElement('canvas'), halfDevice);
+    other.resize(8, 8);
+    other.setSettings(settings);
+    other.setScene(ball);
+    complete(other);
+    expect(other.stats.precision).to.equal('half');
+    for (const [i, value] of other.readRadiance().entries()) {
+      const reference = full[i] as number;
+      // Each of the four samples may round once.
+      expect(value).to.be.closeTo(reference, 4 * 2 ** -11 * reference + 2 ** -24);
+    }
+    other.dispose();
+    halfDevice.dispose();
   });
 
   it('estimates the time of a sample', async () => {

@@ -1,14 +1,18 @@
 import { expect } from '@open-wc/testing';
 import {
   type BlockLayout,
+  cameraFrame,
   generateShader,
   parseScene,
   parseSettings,
   requirements,
   resolveScene,
 } from '@ray-scene/core';
+import { Accumulation } from '../../packages/ray-scene/src/accumulation.ts';
 import { Program } from '../../packages/ray-scene/src/program.ts';
+import { ProgramCache } from '../../packages/ray-scene/src/program-cache.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
+import { Tracer } from '../../packages/ray-scene/src/tracer.ts';
 
 const spheres = [
   { type: 'sphere', radius: 2 },
@@ -27,6 +31,10 @@ const scenes: { readonly [name: string]: object } = {
   'one sphere': { objects: spheres.slice(0, 1), lights: lights.slice(2) },
   'the studio': { objects: [...spheres, plane] },
   'a dull plane': { objects: [{ ...plane, specular: 0 }], lights: lights.slice(0, 1) },
+  'many objects': {
+    objects: [...Array.from({ length: 11 }, (_, i) => ({ ...spheres[i % 3], center: [i, 0, 0] })), plane, plane],
+    lights,
+  },
   'all at once': {
     objects: [...spheres, plane, { ...plane, point: [0, -3, 0], checkerSize: 2 }],
     lights,
@@ -79,6 +87,31 @@ describe('uniform blocks', () => {
         );
       }
       program.dispose();
+    });
+
+    it(`say the same when they come as varyings: ${name}`, () => {
+      const { gl, precision } = device;
+      const resolved = resolveScene(parseScene(scene));
+      const required = requirements(resolved, parseSettings());
+      const pictures = [0, gl.getParameter(gl.MAX_VARYING_VECTORS)].map((varyings) => {
+        const programs = new ProgramCache(gl);
+        const tracer = new Tracer(gl, programs, required, { varyings });
+        tracer.setScene(resolved);
+        const target = new Accumulation(gl, precision, 16, 16);
+        target.add(() => tracer.draw(cameraFrame(resolved.camera, 16, 16)));
+        const mean = target.readMean();
+        target.dispose();
+        tracer.dispose();
+        programs.dispose();
+        return mean;
+      });
+      const [uniforms, varyings] = pictures as [Float32Array, Float32Array];
+      expect(uniforms.some((value) => value > 0)).to.equal(true);
+      // Compilers may order the same sums differently; on an edge a pixel may then fall to the other side.
+      const different = uniforms.filter(
+        (value, i) => Math.abs(value - (varyings[i] as number)) > 1e-4 * Math.max(value, 1),
+      );
+      expect(different.length).to.be.at.most(8);
     });
   }
 });

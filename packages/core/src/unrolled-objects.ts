@@ -67,6 +67,9 @@ ${parts.map(({ name, kind }) => `  ${structName(kind)}From ${name};`).join('\n')
 From fromPoint(Parts scene, vec3 o) {
   return From(${parts.map(({ name, kind }) => `${kind}From(scene.${name}, o)`).join(', ')});
 }
+From fromCamera(Parts scene) {
+  return From(${parts.map(({ name, kind }) => `${kind}FromCamera(scene.${name})`).join(', ')});
+}
 `;
 }
 
@@ -76,13 +79,11 @@ function nearestGlsl(parts: readonly Part[]): string {
     ({ name, kind, number }) =>
       `  float t${number} = ${kind}Distance(scene.${name}, from.${name}, d, left.w${number});`,
   );
+  // Where two are equally near the first takes it all: the weights add up to 1, whatever the ties.
   const exclusive = parts.map(({ number }) =>
-    number === 0
-      ? '  hit.w0 = step(t0, hit.t);'
-      : `  hit.w${number} = min(step(t${number}, hit.t), 1.0 - ${weights
-          .slice(0, number)
-          .map((w) => `hit.${w}`)
-          .join(' - ')});`,
+    number === parts.length - 1
+      ? `  hit.w${number} = rest;`
+      : `  hit.w${number} = min(step(t${number}, hit.t), rest);\n  rest -= hit.w${number};`,
   );
   return `struct Hit {
   float t;
@@ -93,6 +94,7 @@ Hit nearest(Parts scene, From from, vec3 d, Hit left) {
 ${distances.join('\n')}
   Hit hit;
   hit.t = ${parts.map(({ number }) => `t${number}`).reduce((a, b) => `min(${a}, ${b})`)};
+  float rest = 1.0;
 ${exclusive.join('\n')}
   return hit;
 }

@@ -1,19 +1,16 @@
 /** The last step to a picture: the mean of the samples, exposed, tone mapped and encoded. */
-import { assembleGlsl, type RenderSettings } from '@ray-scene/core';
-import pbrNeutral from '../../../shaders/display/pbr-neutral.glsl';
-import srgb from '../../../shaders/display/srgb.glsl';
-import fragment from '../../../shaders/display.frag.glsl';
-import vertex from '../../../shaders/fullscreen.vert.glsl';
+import { assembleGlsl, glslFiles, type RenderSettings } from '@ray-scene/core';
 import type { Accumulation } from './accumulation.ts';
 import type { Program, ProgramSource } from './program.ts';
 import type { ProgramCache } from './program-cache.ts';
 
 type ToneMapping = RenderSettings['toneMapping'];
 
-const files = { 'display.frag.glsl': fragment, 'display/srgb.glsl': srgb, 'display/pbr-neutral.glsl': pbrNeutral };
 const featureOf = { neutral: 'TONE_MAPPING_NEUTRAL', none: undefined } as const satisfies {
   [T in ToneMapping]: string | undefined;
 };
+
+const FEATURES: ReadonlySet<string> = new Set(Object.values(featureOf).filter((name) => name !== undefined));
 
 /** The largest f32: exposures beyond it would be infinite on the GPU. */
 const LARGEST_FLOAT = (2 - 2 ** -23) * 2 ** 127;
@@ -51,11 +48,7 @@ export class Display {
 
 function displaySource(toneMapping: ToneMapping): ProgramSource {
   const feature = featureOf[toneMapping];
-  const known = new Set(Object.values(featureOf).filter((name) => name !== undefined));
-  const { text, lines } = assembleGlsl('display.frag.glsl', {
-    files,
-    known,
-    defined: new Set(feature ? [feature] : []),
-  });
-  return { vertex, fragment: text, lines };
+  const sources = { files: glslFiles, known: FEATURES, defined: new Set(feature ? [feature] : []) };
+  const { text, lines } = assembleGlsl('display.frag.glsl', sources);
+  return { vertex: assembleGlsl('fullscreen.vert.glsl', sources).text, fragment: text, lines };
 }

@@ -1,15 +1,6 @@
 import type { RenderSettings, ResolvedCamera, Scene } from '@ray-scene/core';
 import { Renderer, type RenderStats } from './renderer.ts';
 
-/** All that decides how a picture looks. */
-export interface Shown {
-  readonly scene: Scene;
-  readonly settings: RenderSettings;
-  /** Stands in for the scene's camera. */
-  readonly camera: ResolvedCamera | undefined;
-  readonly size: readonly [width: number, height: number];
-}
-
 /** What a turn of drawing has brought. */
 export interface Progress {
   readonly samples: number;
@@ -21,7 +12,8 @@ export interface Progress {
 /** The picture on a canvas: tells its renderer what has changed, and nothing else. */
 export class Picture {
   readonly #renderer: Renderer;
-  #shown: Partial<Shown> = {};
+  #scene: Scene | undefined;
+  #settings: RenderSettings | undefined;
 
   private constructor(renderer: Renderer) {
     this.#renderer = renderer;
@@ -37,21 +29,26 @@ export class Picture {
     }
   }
 
-  get camera(): ResolvedCamera {
-    return this.#renderer.camera;
+  /** The camera in use, once there is a scene. */
+  get camera(): ResolvedCamera | undefined {
+    return this.#scene && this.#renderer.camera;
   }
 
   get stats(): RenderStats {
     return this.#renderer.stats;
   }
 
-  draw(shown: Shown, budgetMs: number): Progress {
-    const { scene, settings, camera, size } = shown;
-    if (scene !== this.#shown.scene) this.#renderer.setScene(scene);
-    if (settings !== this.#shown.settings) this.#renderer.setSettings(settings);
+  show(scene: Scene, settings: RenderSettings, [width, height]: readonly [number, number]): void {
+    if (scene !== this.#scene) this.#renderer.setScene(scene);
+    if (settings !== this.#settings) this.#renderer.setSettings(settings);
+    this.#renderer.resize(width, height);
+    this.#scene = scene;
+    this.#settings = settings;
+  }
+
+  /** @param camera stands in for the scene's. */
+  draw(camera: ResolvedCamera | undefined, budgetMs: number): Progress {
     this.#renderer.setCamera(camera);
-    this.#renderer.resize(...size);
-    this.#shown = shown;
     const before = this.#renderer.samples;
     const more = this.#renderer.draw(budgetMs);
     const { samples } = this.#renderer;

@@ -276,9 +276,9 @@ export class RayScene extends TypedElement implements CanvasHost, OrbitHost, Sce
     const size = this.#size.measure(settings.pixelRatio);
     const picture = size[0] * size[1] > 0 ? this.#openPicture() : undefined;
     if (!picture) return false;
+    picture.show(scene, settings, size);
     const turns = !paused && this.#orbit.turn(seconds);
-    const shown = { scene, settings, camera: this.#orbit.override, size };
-    const progress = picture.draw(shown, paused ? 0 : settings.frameBudget / sharers);
+    const progress = picture.draw(this.#orbit.override, paused ? 0 : settings.frameBudget / sharers);
     // The context is lost, or the scene cannot be drawn.
     if (progress.samples === 0) return false;
     if (this.#failure) {

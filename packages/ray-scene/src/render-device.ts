@@ -1,4 +1,5 @@
 /** The WebGL of a page: one context, its programs, its loss and return. All views draw through it. */
+import type { ShaderOptions } from '@ray-scene/core';
 import { GpuClock } from './gpu-clock.ts';
 import { ProgramCache } from './program-cache.ts';
 
@@ -48,6 +49,8 @@ export class RenderDevice {
   /** The largest width and height of a picture. */
   readonly maxSize: number;
   readonly precision: Precision;
+  /** How shaders should be made for whoever draws here. */
+  readonly shaderOptions: ShaderOptions;
   // An element rather than an OffscreenCanvas, on which WebKit has no WebGL2.
   readonly #canvas = document.createElement('canvas');
   readonly #views = new Set<DeviceView>();
@@ -59,6 +62,7 @@ export class RenderDevice {
     this.clock = new GpuClock(this.gl);
     this.maxSize = Math.min(this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE), ...maxViewport(this.gl));
     this.precision = enableFloatTargets(this.gl, precision);
+    this.shaderOptions = { varyings: isSoftware(this.gl) ? this.gl.getParameter(this.gl.MAX_VARYING_VECTORS) : 0 };
     this.#canvas.addEventListener('webglcontextlost', this.#onLost);
     this.#canvas.addEventListener('webglcontextrestored', this.#onRestored);
   }
@@ -155,4 +159,13 @@ function enableFloatTargets(gl: WebGL2RenderingContext, wanted: Precision): Prec
   if (wanted === 'float' && float && gl.getExtension('EXT_float_blend')) return 'float';
   if (float || gl.getExtension('EXT_color_buffer_half_float')) return 'half';
   throw new WebGLUnavailableError('it draws into no floating-point targets');
+}
+
+/** Whether the processor draws, as far as the browser tells. */
+function isSoftware(gl: WebGL2RenderingContext): boolean {
+  let name: string = gl.getParameter(gl.RENDERER);
+  // Chromium says it in an extension only. Firefox says it at once, and warns whoever asks for the extension.
+  const extension = name === 'WebKit WebGL' ? gl.getExtension('WEBGL_debug_renderer_info') : null;
+  if (extension) name = gl.getParameter(extension.UNMASKED_RENDERER_WEBGL);
+  return /SwiftShader|llvmpipe|softpipe|software|Basic Render/i.test(name);
 }

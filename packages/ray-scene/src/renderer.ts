@@ -211,10 +211,10 @@ export class Renderer {
 
   #tracerFor(required: Requirements): Tracer {
     if (this.#tracer?.key === requirementsKey(required)) return this.#tracer;
-    const { gl, programs } = this.#device;
+    const { gl, programs, shaderOptions } = this.#device;
     const start = performance.now();
     const compiledBefore = programs.compileCount;
-    const tracer = new Tracer(gl, programs, required);
+    const tracer = new Tracer(gl, programs, required, shaderOptions);
     this.#tracer?.dispose();
     this.#tracer = tracer;
     this.#pace = { msPerSample: 0 };

@@ -8,6 +8,7 @@ import {
   type Requirements,
   type ResolvedScene,
   requirementsKey,
+  type ShaderOptions,
 } from '@ray-scene/core';
 import { blockBindings, type Program } from './program.ts';
 import type { ProgramCache } from './program-cache.ts';
@@ -22,8 +23,8 @@ export class Tracer {
   readonly #view: UniformBlock;
 
   /** @throws {Error} when the scene has more in it than the GPU takes. */
-  constructor(gl: WebGL2RenderingContext, programs: ProgramCache, required: Requirements) {
-    const shader = generateShader(required);
+  constructor(gl: WebGL2RenderingContext, programs: ProgramCache, required: Requirements, options: ShaderOptions) {
+    const shader = generateShader(required, options);
     this.key = requirementsKey(required);
     this.#required = required;
     this.#gl = gl;

@@ -13,13 +13,21 @@ export const sphere = definePrimitive({
     { name: 'center', type: 'vec3' },
     { name: 'radius2', type: 'float' },
     { name: 'curvature', type: 'float' },
+    { name: 'power', type: 'float' },
   ],
-  pack: ({ center, radius }, frame, { side }) => ({
-    center: toFrame(frame, center),
-    radius2: (radius * frame.scale) ** 2,
-    // Negative where the camera is inside, and then every path is: the normal that shading needs points inwards.
-    curvature: side / (radius * frame.scale),
-  }),
+  pack({ center, radius }, frame, { side }) {
+    const c = toFrame(frame, center);
+    const r = radius * frame.scale;
+    const distance = length(c);
+    return {
+      center: c,
+      radius2: r * r,
+      // Negative where the camera is inside, and then every path is: the normal that shading needs points inwards.
+      curvature: side / r,
+      // The camera's power, |c|² - r², as a product: nothing large cancels next to a planet's surface.
+      power: (distance - r) * (distance + r),
+    };
+  },
   bounds: ({ center, radius }) => ({
     min: center.map((x) => x - radius) as unknown as Vec3,
     max: center.map((x) => x + radius) as unknown as Vec3,

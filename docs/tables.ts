@@ -1,0 +1,95 @@
+/** The tables of the documentation, made from the core's table of fields. See test/unit/docs.test.ts. */
+import {
+  builtInMaterials,
+  camera,
+  environment,
+  type Fields,
+  lights,
+  material,
+  type NodeTable,
+  objectFields,
+  primitives,
+  settingsFields,
+} from '@ray-scene/core';
+
+type AnyField = Fields[string];
+
+/** Bounds as large as this only keep numbers finite, and tell nobody anything. */
+const NO_BOUND = 1e60;
+
+/** `from 0 to 1`, `above 0` */
+function range({ minimum, exclusiveMinimum, maximum }: { readonly [keyword: string]: unknown }): string {
+  const bounded = maximum !== NO_BOUND;
+  if (exclusiveMinimum !== undefined) return ` above ${exclusiveMinimum}${bounded ? `, at most ${maximum}` : ''}`;
+  if (minimum === -NO_BOUND) return bounded ? ` of at most ${maximum}` : '';
+  return bounded ? ` from ${minimum} to ${maximum}` : ` of at least ${minimum}`;
+}
+
+function valuesOf({ kind, schema }: AnyField): string {
+  switch (kind) {
+    case 'number':
+      return `${schema['type'] === 'integer' ? 'whole number' : 'number'}${range(schema)}`;
+    case 'vector':
+      return 'x y z';
+    case 'color':
+      return 'colour';
+    case 'choice':
+      return (schema['enum'] as unknown[]).map((word) => `\`${word}\``).join(', ');
+    default:
+      return kind;
+  }
+}
+
+function defaultOf({ kind, default: value }: AnyField): string {
+  if (value === undefined) return '';
+  if (kind === 'color') return String(value) === '1,1,1' ? 'white' : `[${value}]`;
+  return Array.isArray(value) ? value.join(' ') : String(value);
+}
+
+/** `checkerSize` as `checker-size`. */
+const kebab = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
+/** A Markdown table of rows of cells. */
+const table = (head: readonly string[], rows: readonly (readonly string[])[]): string =>
+  [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.join(' | ')} |`).join('\n');
+
+const fieldTable = (fields: Fields, head: string): string =>
+  table(
+    [head, 'value', 'default', 'meaning'],
+    Object.entries(fields).map(([name, field]) => [
+      `\`${kebab(name)}\``,
+      valuesOf(field),
+      defaultOf(field),
+      field.doc.replaceAll('|', '\\|'),
+    ]),
+  );
+
+const section = (title: string, { doc, fields }: NodeTable): string =>
+  `## ${title}\n\n${doc}\n\n${fieldTable(fields, 'attribute')}`;
+
+/** Of the attributes of `<ray-scene>` that say how to render. */
+export const settingsTable = (): string => fieldTable(settingsFields, 'attribute');
+
+/** Of every node of a scene and of the built-in materials. */
+export function sceneTables(): string {
+  return [
+    section('`<ray-camera>`, `camera`', camera),
+    ...Object.entries(lights).map(([kind, node]) => section(`\`<ray-light type="${kind}">\`, \`lights\``, node)),
+    section('`<ray-environment>`, `environment`', environment),
+    section('`<ray-material>`, `materials`', material),
+    ...Object.entries(primitives).map(([kind, node]) => section(`\`<ray-${kind}>\`, \`objects\``, node)),
+    section('On every object', {
+      doc: 'An object also takes every field of a material for itself; they go before those of the material it names.',
+      fields: objectFields,
+    }),
+    `## Built-in materials\n\n${table(
+      ['name', 'fields'],
+      Object.entries(builtInMaterials).map(([name, fields]) => [
+        `\`${name}\``,
+        Object.entries(fields)
+          .map(([field, value]) => `${kebab(field)} ${Array.isArray(value) ? `[${value.join(', ')}]` : value}`)
+          .join(', '),
+      ]),
+    )}`,
+  ].join('\n\n');
+}
