@@ -30,19 +30,29 @@ vec4 background(Parts scene, vec3 d) {
 vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
   vec3 light = vec3(0.0);
 #ifdef LIGHTS
-  light += lightAt(scene, from, s, p, d);
+  Lit lit = lightAt(scene, from, s, p, d);
+  light += s.material.color * lit.diffuse + lit.specular;
 #endif
 #if defined(ENVIRONMENT) && defined(DIELECTRIC)
-  light += diffuseAlbedo(s.material, schlickWeight(s.nv)) * environmentIrradiance(scene.surroundings, s.normal);
+  vec3 irradiance = environmentIrradiance(scene.surroundings, s.normal);
+  light += diffuseShare(s.material, schlickWeight(s.nv)) * (s.material.color * irradiance);
 #endif
   return light;
 }
 
+Surface surfaceAt(Parts scene, From from, Hit hit, vec3 p, vec3 d) {
+  vec3 n = normalAt(scene, from, hit);
+  return Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
+}
+
+// There is no early way out for rays that miss everything: what they compute is thrown away at the end. Software
+// rasterisers run both sides of every branch for each group of pixels, and pay for the branch.
 vec4 direct(vec3 d) {
   Parts scene = loadParts();
   From from = fromCamera(scene);
   Hit hit = nearest(scene, from, d, NOTHING);
-  if (hit.t >= MISS) return background(scene, d);
+  vec4 behind = background(scene, d);
+  bool seen = hit.t < MISS;
   vec3 p = hit.t * d;
   vec3 radiance = vec3(0.0);
 #ifdef REFLECTIONS
@@ -50,22 +60,20 @@ vec4 direct(vec3 d) {
   int bounce = 0;
   do {
     from = fromPoint(scene, p);
-    vec3 n = normalAt(scene, from, hit);
-    Surface s = Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
+    Surface s = surfaceAt(scene, from, hit, p, d);
     radiance += throughput * lightFrom(scene, from, s, p, d);
     throughput *= fresnel(s.material, schlickWeight(s.nv));
-    d += 2.0 * s.nv * n;
+    d += (2.0 * s.nv) * s.normal;
     hit = nearest(scene, from, d, hit);
     p += hit.t * d;
-  } while (++bounce < BOUNCES && hit.t < MISS);
+    bounce++;
+  } while (bounce < BOUNCES && hit.t < MISS);
 #ifdef ENVIRONMENT
-  radiance += throughput * (hit.t < MISS ? vec3(0.0) : environmentRadiance(scene.surroundings, d));
+  radiance += throughput * mix(environmentRadiance(scene.surroundings, d), vec3(0.0), bvec3(hit.t < MISS));
 #endif
 #else
   from = fromPoint(scene, p);
-  vec3 n = normalAt(scene, from, hit);
-  Surface s = Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
-  radiance = lightFrom(scene, from, s, p, d);
+  radiance = lightFrom(scene, from, surfaceAt(scene, from, hit, p, d), p, d);
 #endif
-  return vec4(radiance, 1.0);
+  return mix(behind, vec4(radiance, 1.0), bvec4(seen));
 }

@@ -5,13 +5,12 @@ precision highp float;
 precision highp int;
 
 #include "generated/limits.glsl"
-#include "generated/blocks.glsl"
-#include "generated/eye.glsl"
+#include "generated/scene.glsl"
 #include "camera.glsl"
 #include "direct.glsl"
 
 out vec4 sampled;
 
 void main() {
-  sampled = direct(cameraRay(loadEye(), gl_FragCoord.xy));
+  sampled = direct(cameraRay());
 }

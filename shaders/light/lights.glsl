@@ -1,30 +1,48 @@
 // The light that point and directional lights send to the eye by way of a surface. The 1 / pi of every BRDF is already
 // in the packed intensities.
 
-// BRDF times pi times the cosine, or 0 where the light is behind the surface. l: unit vector to the light.
-vec3 scattered(Surface s, vec3 l, vec3 d) {
-  float nl = max(dot(s.normal, l), 0.0);
+// Without colour in it, light is the same in all three channels.
+#ifdef COLORED_LIGHT
+#define Light vec3
+#else
+#define Light float
+#endif
+#if defined(COLORED_LIGHT) || defined(METAL) || defined(SPECULAR_TINT)
+#define Highlight vec3
+#else
+#define Highlight float
+#endif
+
+// What is to be multiplied by the base colour, and what leaves without having been under the surface.
+struct Lit {
+  Light diffuse;
+  Highlight specular;
+};
+
+Lit both(Lit a, Lit b) {
+  return Lit(a.diffuse + b.diffuse, a.specular + b.specular);
+}
+
+// Light that arrives along -l: BRDF times cosine, or 0 where the light is behind the surface.
+Lit scattered(Light arriving, Surface s, vec3 l, vec3 d) {
+  Light received = arriving * max(dot(s.normal, l), 0.0);
 #ifdef HIGHLIGHTS
   vec3 h = l - d;
   float weight = schlickWeight(0.5 * sqrt(dot(h, h)));
-  Reflectance reflected = fresnel(s.material, weight) * ggxLobe(s.material.alpha2, s.normal, h, nl, s.nv);
-#ifdef DIELECTRIC
-  return nl * (diffuseAlbedo(s.material, weight) + reflected);
+  float lobe = ggxLobe(s.material.alpha2, s.normal, h, max(dot(s.normal, l), 0.0), s.nv);
+  return Lit(received * diffuseShare(s.material, weight), received * lobe * fresnel(s.material, weight));
 #else
-  return nl * reflected;
-#endif
-#else
-  return nl * s.material.color;
+  return Lit(received, Highlight(0.0));
 #endif
 }
 
 #ifdef POINT_LIGHTS
-vec3 pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
+Lit pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
   vec3 l = light.position - p;
   float distance2 = dot(l, l);
   float distance = sqrt(distance2);
   l /= distance;
-  vec3 arriving = light.intensity;
+  Light arriving = light.intensity;
 #if defined(MIXED_FALLOFF)
   arriving /= mix(1.0, distance2, light.decays);
 #elif defined(FALLOFF)
@@ -33,16 +51,16 @@ vec3 pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec
 #ifdef SHADOWS
   arriving *= step(occlusion(scene, from, l, distance), 0.0);
 #endif
-  return arriving * scattered(s, l, d);
+  return scattered(arriving, s, l, d);
 }
 #endif
 
 #ifdef DIRECTIONAL_LIGHTS
-vec3 directionalLight(DirectionalLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
-  vec3 arriving = light.irradiance;
+Lit directionalLight(DirectionalLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
+  Light arriving = light.irradiance;
 #ifdef SHADOWS
   arriving *= step(occlusion(scene, from, light.toLight, MISS), 0.0);
 #endif
-  return arriving * scattered(s, light.toLight, d);
+  return scattered(arriving, s, light.toLight, d);
 }
 #endif

@@ -31,22 +31,24 @@ DielectricReflectance dielectricFresnel(Material m, float weight) {
 }
 #endif
 
-// Albedo of the diffuse part: what the dielectric layer lets through. 0 for metals.
-#ifdef DIELECTRIC
-vec3 diffuseAlbedo(Material m, float weight) {
-  vec3 albedo = m.color;
+// The share of the light that gets under the dielectric layer and comes out again in the base colour. 0 for metals.
+float diffuseShare(Material m, float weight) {
+#if !defined(DIELECTRIC)
+  return 0.0;
+#else
+  float share = 1.0;
 #if defined(SPECULAR_TINT)
   vec3 reflected = dielectricFresnel(m, weight);
-  albedo *= 1.0 - max(max(reflected.r, reflected.g), reflected.b);
+  share -= max(max(reflected.r, reflected.g), reflected.b);
 #elif defined(SPECULAR)
-  albedo *= 1.0 - dielectricFresnel(m, weight);
+  share -= dielectricFresnel(m, weight);
 #endif
 #ifdef METAL
-  albedo *= 1.0 - m.metalness;
+  share *= 1.0 - m.metalness;
 #endif
-  return albedo;
+  return share;
+#endif
 }
-#endif
 
 #ifdef REFLECTIVE
 // Fresnel reflectance of the whole material: of its dielectric and its metal part, by metalness.

@@ -7,7 +7,11 @@ struct PlaneFrom {
 };
 
 PlaneFrom planeFrom(Plane s, vec3 o) {
+#ifdef TILTED_PLANE
   return PlaneFrom(dot(s.normal, o) - s.offset);
+#else
+  return PlaneFrom(o.y - s.offset);
+#endif
 }
 
 PlaneFrom planeFromCamera(Plane s) {
@@ -16,12 +20,21 @@ PlaneFrom planeFromCamera(Plane s) {
 
 // The distance to the plane, or MISS. A ray that leaves the plane itself (own = 1) never meets it again.
 float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
+#ifdef TILTED_PLANE
   float approach = -dot(s.normal, d);
+#else
+  float approach = -d.y;
+#endif
   return mix(MISS, from.height / approach, min(approach, 0.5 - own) > 0.0);
 }
 
-vec3 planeNormal(Plane s, PlaneFrom from) {
-  return s.normal;
+// The unit normal times a weight.
+vec3 planeNormal(Plane s, PlaneFrom from, float weight) {
+#ifdef TILTED_PLANE
+  return weight * s.normal;
+#else
+  return vec3(0.0, weight, 0.0);
+#endif
 }
 
 #ifdef PLANE_CHECKER

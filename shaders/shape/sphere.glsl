@@ -51,7 +51,7 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
   return blocked;
 }
 
-// The unit normal on the camera's side at a point of the sphere, from what that point shares.
-vec3 sphereNormal(Sphere s, SphereFrom from) {
-  return -s.curvature * from.c;
+// The unit normal on the camera's side at a point of the sphere, from what that point shares, times a weight.
+vec3 sphereNormal(Sphere s, SphereFrom from, float weight) {
+  return (-weight * s.curvature) * from.c;
 }

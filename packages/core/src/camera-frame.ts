@@ -19,6 +19,9 @@ export interface CameraFrame {
   readonly corner: Vec3;
   readonly stepX: Vec3;
   readonly stepY: Vec3;
+  /** Of the window, in pixels. */
+  readonly width: number;
+  readonly height: number;
 }
 
 /** Right, up and forward of a camera, as unit vectors. */
@@ -46,7 +49,7 @@ export function cameraFrame(
   const stepX = scale(axes.right, (2 * halfHeight) / height);
   const stepY = scale(axes.up, (2 * halfHeight) / height);
   const fromCenter = add(scale(stepX, jitter[0] - 0.5 - width / 2), scale(stepY, 0.5 - jitter[1] - height / 2));
-  return { origin: camera.position, corner: add(axes.forward, fromCenter), stepX, stepY };
+  return { origin: camera.position, corner: add(axes.forward, fromCenter), stepX, stepY, width, height };
 }
 
 /** The direction of the ray through the window point (x, y). */

@@ -30,22 +30,25 @@ export interface ShaderOptions {
 export function generateShader(required: Requirements, { varyings = 0 }: ShaderOptions = {}): ShaderSource {
   const { scene, view } = layoutBlocks(required);
   const indexed = required.features.includes('indexed');
-  const rows = (scene.size + view.size) / 16;
-  const throughVaryings = !indexed && rows <= varyings;
-  const transport = throughVaryings ? varyingRows(scene, view) : undefined;
-  const generated = {
-    'generated/blocks.glsl': transport
-      ? [scene, view].map(structGlsl).join('') + transport.fragment
-      : blockGlsl(scene) + blockGlsl(view),
-    'generated/eye.glsl': `Eye loadEye() {\n  return ${view.entries.map((entry) => transport?.construct(view, entry, 0) ?? entry.name)};\n}\n`,
+  // One more row is for the camera ray.
+  const rows = !indexed && scene.size / 16 < varyings ? varyingRows(scene) : undefined;
+  const files = {
+    ...glslFiles,
     'generated/limits.glsl': `const int BOUNCES = ${required.bounces};\n`,
-    'generated/objects.glsl': indexed ? indexedObjects(required) : unrolledObjects(required, scene, transport),
+    'generated/view.glsl': blockGlsl(view),
+    'generated/rows.glsl': rows?.vertex ?? '',
+    'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
+    'generated/objects.glsl': indexed ? indexedObjects(required) : unrolledObjects(required, scene, !!rows),
   };
-  const assemble = (root: string) =>
-    assembleGlsl(root, { files: { ...glslFiles, ...generated }, defined: definedNames(required), known: KNOWN_NAMES });
-  const fragment = assemble('trace.frag.glsl');
-  const vertex = transport?.vertex ?? assemble('fullscreen.vert.glsl').text;
-  return { vertex, fragment: fragment.text, lines: fragment.lines, sceneBlock: scene, viewBlock: view };
+  const defined = definedNames(required);
+  if (rows) defined.add('VARYINGS');
+  const fragment = assembleGlsl('trace.frag.glsl', { files, defined, known: KNOWN_NAMES });
+  const vertex = assembleGlsl(rows ? 'varyings.vert.glsl' : 'fullscreen.vert.glsl', {
+    files,
+    defined,
+    known: KNOWN_NAMES,
+  });
+  return { vertex: vertex.text, fragment: fragment.text, lines: fragment.lines, sceneBlock: scene, viewBlock: view };
 }
 
 /** `specularTint` as it is asked for in GLSL: `SPECULAR_TINT`. */
@@ -59,9 +62,10 @@ const KNOWN_NAMES: ReadonlySet<string> = new Set([
   ...shapeKinds.map(shapeName),
   ...Object.values(countNames),
   'LIGHTS',
+  'VARYINGS',
 ]);
 
-function definedNames({ features: present, shapes, lights }: Requirements): ReadonlySet<string> {
+function definedNames({ features: present, shapes, lights }: Requirements): Set<string> {
   const lit = Object.entries(countNames).filter(([kind]) => lights[kind as keyof typeof lights] > 0);
   return new Set([
     ...present.map(glslName),

@@ -13,6 +13,7 @@ import plane from '../../../shaders/shape/plane.glsl';
 import sphere from '../../../shaders/shape/sphere.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
+import varyingsVertex from '../../../shaders/varyings.vert.glsl';
 
 export const glslFiles: { readonly [file: string]: string } = {
   'camera.glsl': camera,
@@ -29,4 +30,5 @@ export const glslFiles: { readonly [file: string]: string } = {
   'shape/sphere.glsl': sphere,
   'surface.glsl': surface,
   'trace.frag.glsl': trace,
+  'varyings.vert.glsl': varyingsVertex,
 };

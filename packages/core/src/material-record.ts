@@ -32,12 +32,12 @@ export function dielectricReflectance({ ior, specular, specularColor }: Material
   return { f0: scale(tinted, specular), f90: specular };
 }
 
-export function packMaterial(material: Material, tinted: boolean): RecordValues<typeof materialRecord> {
+export function packMaterial(material: Material): RecordValues<typeof materialRecord> {
   const { f0, f90 } = dielectricReflectance(material);
   return {
     color: material.color,
     alpha2: ggxAlpha(material.roughness) ** 2,
-    f0: tinted ? f0 : f0[0],
+    f0,
     f90,
     metalness: material.metalness,
     checkerStep: material.checker ? subtract(material.checker, material.color) : [0, 0, 0],

@@ -57,8 +57,7 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const frame = packingFrame(scene);
   const writer = new BlockWriter(block);
   const indexed = required.features.includes('indexed');
-  const tinted = required.features.includes('specularTint');
-  const material = (index: number) => packMaterial(scene.materials[index] as Material, tinted);
+  const material = (index: number) => packMaterial(scene.materials[index] as Material);
   if (indexed) scene.materials.forEach((_, i) => writer.write('materials', i, material(i)));
   let number = 0;
   for (const kind of shapeKinds) {

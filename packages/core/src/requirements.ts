@@ -1,8 +1,10 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
 import type { Field } from './fields.ts';
 import { primitiveOf, primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { planeAxes } from './primitives/plane.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { type LightKind, lightKinds, lights, material } from './schema.ts';
+import { type LightKind, lightKinds, lights, material, type Shape } from './schema.ts';
+import type { Vec3 } from './vector.ts';
 
 /** Everything that a shader may or may not hold. In GLSL, each is a name to ask for by `#if`. */
 export const features = [
@@ -11,10 +13,12 @@ export const features = [
   'specular',
   'specularTint',
   'specularWeight',
+  'coloredLight',
   'falloff',
   'noFalloff',
   'sphereChecker',
   'planeChecker',
+  'tiltedPlane',
   // Derived from the whole scene:
   'mixedFalloff',
   'checker',
@@ -45,6 +49,11 @@ export interface Requirements {
 /** Up to so many objects are written out one by one; more are gone through in loops, and found again by number. */
 const MOST_UNROLLED = 8;
 
+/** Level planes under the camera, floors, get by with less than those that face any other way than up. */
+const isTilted = (shape: ResolvedScene['objects'][number]['shape'], eye: Vec3): boolean =>
+  shape.type === 'plane' &&
+  planeAxes(shape as Shape<'plane'>).normal[1] * primitives.plane.side(shape as Shape<'plane'>, eye) !== 1;
+
 /** Whether a kind can stand between two points outside of it. */
 const isSolid = (kind: ShapeKind): boolean => primitives[kind].occludes(1);
 
@@ -68,6 +77,10 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   const indexed = scene.objects.length > MOST_UNROLLED;
   const rounded = (count: number): number => (indexed ? roundedUp(count) : count);
   const severalObjects = scene.objects.length > 1;
+  add(
+    'tiltedPlane',
+    scene.objects.some(({ shape }) => isTilted(shape, scene.camera.position)),
+  );
   add('reflective', reflective);
   add('highlights', reflective && scene.lights.length > 0);
   add('shadows', severalObjects && scene.lights.length > 0 && scene.objects.some(({ shape }) => isSolid(shape.type)));

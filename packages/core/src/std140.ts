@@ -115,12 +115,14 @@ export function writeStruct(
     const at = offset + index * struct.size + member.offset;
     const value = values[member.name];
     if (value === undefined) throw new TypeError(`${struct.name}.${member.name} has no value`);
-    if (typeof value !== 'number') {
-      value.forEach((component, i) => {
+    if (member.type === 'int') view.setInt32(at, value as number, true);
+    else {
+      // A float takes the first component of a colour: it is there where all of them are equal.
+      const components = [value].flat().slice(0, TYPES[member.type].size / 4);
+      components.forEach((component, i) => {
         view.setFloat32(at + 4 * i, component, true);
       });
-    } else if (member.type === 'int') view.setInt32(at, value, true);
-    else view.setFloat32(at, value, true);
+    }
   }
 }
 

@@ -8,7 +8,7 @@ import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
-import type { VaryingRows } from './varying-rows.ts';
+import { structFromRows } from './varying-rows.ts';
 
 interface Part {
   /** Name in the shader: `sphere0`. */
@@ -18,11 +18,11 @@ interface Part {
   readonly number: number;
 }
 
-export function unrolledObjects(required: Requirements, scene: BlockLayout, rows: VaryingRows | undefined): string {
+export function unrolledObjects(required: Requirements, scene: BlockLayout, fromRows: boolean): string {
   const parts = objectParts(required);
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
   return [
-    partsGlsl(scene, rows),
+    partsGlsl(scene, fromRows),
     fromGlsl(parts),
     nearestGlsl(parts),
     has('shadows') ? occlusionGlsl(parts) : '',
@@ -42,12 +42,12 @@ function objectParts({ shapes }: Requirements): readonly Part[] {
 const partName = (array: string, index: number): string => `${array.replace(/s$/, '')}${index}`;
 
 /** All numbers of the scene, read once into one struct. */
-function partsGlsl(scene: BlockLayout, rows: VaryingRows | undefined): string {
+function partsGlsl(scene: BlockLayout, fromRows: boolean): string {
   const loaded = scene.entries.flatMap((entry) =>
     Array.from({ length: entry.count ?? 1 }, (_, i) => ({
       type: entry.struct.name,
       name: entry.count === undefined ? entry.name : partName(entry.name, i),
-      value: rows?.construct(scene, entry, i) ?? (entry.count === undefined ? entry.name : `${entry.name}[${i}]`),
+      value: fromRows ? structFromRows(scene, entry, i) : `${entry.name}${entry.count === undefined ? '' : `[${i}]`}`,
     })),
   );
   return `struct Parts {
@@ -121,9 +121,17 @@ function surfaceGlsl(parts: readonly Part[], scene: BlockLayout, has: (feature: 
     const among = member === 'checkerStep' ? checkered : parts;
     return `  m.${member} = ${weighted(among, ({ number }) => `scene.material${number}.${member}`)};`;
   });
-  const cells = weighted(checkered, ({ name, kind }) => `${kind}Cells(scene.${name}, p)`);
+  // Other objects take no step, wherever they would be in the pattern of the only one that has any.
+  const [only, ...others] = checkered.map(({ name, kind, number }) => ({
+    number,
+    cells: `${kind}Cells(scene.${name}, p)`,
+  }));
+  const cells =
+    others.length === 0
+      ? only?.cells
+      : [only, ...others].map((one) => `hit.w${one?.number} * ${one?.cells}`).join(' + ');
   return `vec3 normalAt(Parts scene, From from, Hit hit) {
-  return ${weighted(parts, ({ name, kind }) => `${kind}Normal(scene.${name}, from.${name})`)};
+  return ${parts.map(({ name, kind, number }) => `${kind}Normal(scene.${name}, from.${name}, hit.w${number})`).join(' + ')};
 }
 Material materialAt(Parts scene, Hit hit, vec3 p) {
   Material m;
@@ -136,18 +144,13 @@ ${checkered.length > 0 ? `  m.color += checkerOdd(${cells}) * m.checkerStep;\n` 
 /** The light of all lights that a surface sends along -d. */
 function lightsGlsl({ lights }: Requirements): string {
   const terms = lightKinds.flatMap((kind) =>
-    Array.from(
-      { length: lights[kind] },
-      (_, i) => `  sum += ${kind}Light(scene.${kind}Light${i}, scene, from, s, p, d);`,
-    ),
+    Array.from({ length: lights[kind] }, (_, i) => `${kind}Light(scene.${kind}Light${i}, scene, from, s, p, d)`),
   );
-  return terms.length === 0
-    ? ''
-    : `#include "light/lights.glsl"
-vec3 lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
-  vec3 sum = vec3(0.0);
-${terms.join('\n')}
-  return sum;
+  if (terms.length === 0) return '';
+  const sum = terms.reduce((before, term) => `both(${before}, ${term})`);
+  return `#include "light/lights.glsl"
+Lit lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
+  return ${sum};
 }
 `;
 }

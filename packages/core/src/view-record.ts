@@ -4,16 +4,20 @@ import type { ResolvedScene } from './resolve-scene.ts';
 import type { RecordValues } from './std140.ts';
 import { add, scale, subtract } from './vector.ts';
 
-/** Rays through the window; see `CameraFrame`. */
+/** Rays through the window; see `CameraFrame`. Width and height are the window's, in pixels. */
 export const eyeRecord = [
   { name: 'corner', type: 'vec3' },
+  { name: 'width', type: 'float' },
   { name: 'stepX', type: 'vec3' },
+  { name: 'height', type: 'float' },
   { name: 'stepY', type: 'vec3' },
 ] as const;
 
-export const packEye = ({ corner, stepX, stepY }: CameraFrame): RecordValues<typeof eyeRecord> => ({
+export const packEye = ({ corner, width, stepX, height, stepY }: CameraFrame): RecordValues<typeof eyeRecord> => ({
   corner,
+  width,
   stepX,
+  height,
   stepY,
 });
 

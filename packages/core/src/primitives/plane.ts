@@ -11,7 +11,7 @@ export const plane = definePrimitive({
     tangent: vector('The direction of U; default: the x axis, or z where the normal is nearly x.', { nonzero: true }),
   },
   record: [
-    { name: 'normal', type: 'vec3' },
+    { name: 'normal', type: 'vec3', when: 'tiltedPlane' },
     { name: 'offset', type: 'float' },
     { name: 'cellU', type: 'vec3', when: 'planeChecker' },
     { name: 'originU', type: 'float', when: 'planeChecker' },

@@ -1,0 +1,63 @@
+import { expect, waitUntil } from '@open-wc/testing';
+import type { RayScene } from '../../packages/ray-scene/src/index.ts';
+
+const SCRIPT = new URL('../../packages/ray-scene/src/index.ts', import.meta.url).href;
+const BALL = '<ray-scene samples="1"><ray-sphere></ray-sphere></ray-scene>';
+
+describe('a page with <ray-scene>', () => {
+  let frame: HTMLIFrameElement;
+  beforeEach(() => {
+    frame = document.createElement('iframe');
+    frame.style.cssText = 'width: 100px; height: 100px';
+  });
+  afterEach(() => frame.remove());
+
+  /** The frame's document, as it is now. */
+  const page = (): Document => {
+    if (!frame.contentDocument) throw new Error('no document');
+    return frame.contentDocument;
+  };
+  const element = (): RayScene => page().querySelector('ray-scene') as RayScene;
+
+  it('that is still loading is read when the element is whole', async () => {
+    document.body.append(frame);
+    const { contentDocument, contentWindow } = frame;
+    if (!contentDocument || !contentWindow) throw new Error('no frame');
+    contentDocument.open();
+    contentDocument.write(`<!doctype html><body><script type="module" async src="${SCRIPT}"></script>`);
+    contentDocument.write('<ray-scene samples="1"><ray-sphere></ray-sphere>');
+    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', { timeout: 20_000 });
+    for (let i = 0; i < 5; i++) await new Promise((resolve) => contentWindow.requestAnimationFrame(resolve));
+    expect(contentDocument.readyState).to.equal('loading');
+    expect(element().scene).to.equal(undefined);
+    contentDocument.write('<ray-plane></ray-plane></ray-scene><p>More');
+    await element().ready;
+    expect(contentDocument.readyState).to.equal('loading');
+    expect(element().scene?.objects.map(({ type }) => type)).to.deep.equal(['sphere', 'plane']);
+    contentDocument.close();
+  });
+
+  it('may have a strict policy', async () => {
+    const policy = "script-src 'self'; style-src 'self'; require-trusted-types-for 'script'";
+    frame.srcdoc =
+      `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">` +
+      `<script type="module" src="${SCRIPT}"></script>${BALL}`;
+    document.body.append(frame);
+    await waitUntil(() => page().querySelector('ray-scene'), 'the page is there', { timeout: 20_000 });
+    const violations: string[] = [];
+    page().addEventListener('securitypolicyviolation', (event) => violations.push(event.violatedDirective));
+    await waitUntil(() => element().shadowRoot, 'the elements are registered', { timeout: 20_000 });
+    await element().complete;
+    expect(violations).to.deep.equal([]);
+    expect(element().clientHeight).to.be.above(0);
+    expect(getComputedStyle(element()).display).to.equal('block');
+  });
+
+  it('may bring markup and script in any order', async () => {
+    frame.srcdoc = `<!doctype html>${BALL}<script type="module" src="${SCRIPT}"></script>`;
+    document.body.append(frame);
+    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', { timeout: 20_000 });
+    await element().complete;
+    expect(element().scene?.objects).to.have.lengthOf(1);
+  });
+});
