@@ -28,13 +28,13 @@ function range({ minimum, exclusiveMinimum, maximum }: { readonly [keyword: stri
 function valuesOf({ kind, schema }: AnyField): string {
   switch (kind) {
     case 'number':
-      return `${schema['type'] === 'integer' ? 'whole number' : 'number'}${range(schema)}`;
+      return `${schema.type === 'integer' ? 'whole number' : 'number'}${range(schema)}`;
     case 'vector':
       return 'x y z';
     case 'color':
       return 'colour';
     case 'choice':
-      return (schema['enum'] as unknown[]).map((word) => `\`${word}\``).join(', ');
+      return (schema.enum as unknown[]).map((word) => `\`${word}\``).join(', ');
     default:
       return kind;
   }

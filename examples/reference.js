@@ -27,7 +27,12 @@ const percent = (share) => `${(100 * share).toFixed(3)} %`;
 
 function showFigures(comparison) {
   const { median, p999, share, excluded } = figures(comparison);
-  const texts = { median: median.toExponential(1), p999: p999.toExponential(1), share: percent(share), excluded: percent(excluded) };
+  const texts = {
+    median: median.toExponential(1),
+    p999: p999.toExponential(1),
+    share: percent(share),
+    excluded: percent(excluded),
+  };
   for (const [id, text] of Object.entries(texts)) document.getElementById(id).textContent = text;
 }
 
@@ -72,6 +77,7 @@ async function compare() {
   scene.src = `scenes/${name}.json`;
   await scene.ready;
   await scene.complete;
+  if (name !== select.value) return;
   const { samples, bounces, seed } = scene;
   const settings = { width: SIZE, height: SIZE, samples, bounces, seed };
   worker = newWorker();

@@ -4,6 +4,8 @@ const json = document.getElementById('json');
 
 async function show(name) {
   select.value = name;
+  // An assigned scene goes before src.
+  scene.scene = null;
   scene.src = `scenes/${name}.json`;
   json.value = await (await fetch(scene.src)).text();
 }

@@ -57,8 +57,13 @@ vec4 direct(vec3 d) {
   vec3 radiance = vec3(0.0);
 #ifdef REFLECTIONS
   Reflectance throughput = Reflectance(1.0);
-  int bounce = 0;
+#ifdef INDEXED
+  // Not a `do` loop: with loops inside of it, SwiftShader goes on with pixels that have left it.
+  for (float bounce = 0.0; bounce < BOUNCES && hit.t < MISS; bounce += 1.0) {
+#else
+  float bounce = 0.0;
   do {
+#endif
     from = fromPoint(scene, p);
     Surface s = surfaceAt(scene, from, hit, p, d);
     radiance += throughput * lightFrom(scene, from, s, p, d);
@@ -66,8 +71,13 @@ vec4 direct(vec3 d) {
     d += (2.0 * s.nv) * s.normal;
     hit = nearest(scene, from, d, hit);
     p += hit.t * d;
-    bounce++;
-  } while (bounce < BOUNCES && hit.t < MISS);
+#ifdef INDEXED
+  }
+#else
+    bounce += 1.0;
+    // No distance is below 0, so the last bounce ends it too.
+  } while (hit.t < MISS * step(bounce, BOUNCES - 1.0));
+#endif
 #ifdef ENVIRONMENT
   radiance += throughput * mix(environmentRadiance(scene.surroundings, d), vec3(0.0), bvec3(hit.t < MISS));
 #endif

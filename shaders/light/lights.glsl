@@ -25,11 +25,12 @@ Lit both(Lit a, Lit b) {
 
 // Light that arrives along -l: BRDF times cosine, or 0 where the light is behind the surface.
 Lit scattered(Light arriving, Surface s, vec3 l, vec3 d) {
-  Light received = arriving * max(dot(s.normal, l), 0.0);
+  float nl = max(dot(s.normal, l), 0.0);
+  Light received = nl * arriving;
 #ifdef HIGHLIGHTS
   vec3 h = l - d;
   float weight = schlickWeight(0.5 * sqrt(dot(h, h)));
-  float lobe = ggxLobe(s.material.alpha2, s.normal, h, max(dot(s.normal, l), 0.0), s.nv);
+  float lobe = ggxLobe(s.material.alpha2, s.normal, h, nl, s.nv);
   return Lit(received * diffuseShare(s.material, weight), received * lobe * fresnel(s.material, weight));
 #else
   return Lit(received, Highlight(0.0));

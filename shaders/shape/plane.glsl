@@ -40,6 +40,10 @@ vec3 planeNormal(Plane s, PlaneFrom from, float weight) {
 #ifdef PLANE_CHECKER
 // The surface lengths (U, V) along the tangent and along normal × tangent, counted in cells.
 vec2 planeCells(Plane s, vec3 p) {
+#ifdef TURNED_CHECKER
   return vec2(dot(s.cellU, p) - s.originU, dot(s.cellV, p) - s.originV);
+#else
+  return vec2(s.perCell * p.x - s.originU, -s.perCell * p.z - s.originV);
+#endif
 }
 #endif

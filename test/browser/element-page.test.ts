@@ -38,12 +38,9 @@ describe('a page with <ray-scene>', () => {
   });
 
   it('may have a strict policy', async () => {
-    const policy = "script-src 'self'; style-src 'self'; require-trusted-types-for 'script'";
-    frame.srcdoc =
-      `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">` +
-      `<script type="module" src="${SCRIPT}"></script>${BALL}`;
+    frame.src = new URL('strict-policy.html', import.meta.url).href;
     document.body.append(frame);
-    await waitUntil(() => page().querySelector('ray-scene'), 'the page is there', { timeout: 20_000 });
+    await waitUntil(() => element(), 'the page is there', { timeout: 20_000 });
     const violations: string[] = [];
     page().addEventListener('securitypolicyviolation', (event) => violations.push(event.violatedDirective));
     await waitUntil(() => element().shadowRoot, 'the elements are registered', { timeout: 20_000 });

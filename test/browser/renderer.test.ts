@@ -1,7 +1,7 @@
 import { expect } from '@open-wc/testing';
 import { parseScene, parseSettings, type Scene } from '@ray-scene/core';
 import { RenderDevice, Renderer } from '../../packages/ray-scene/src/renderer.ts';
-import { countObjects } from './gl-fixtures.ts';
+import { countObjects, fillSource } from './gl-fixtures.ts';
 
 const light = { type: 'directional', direction: [-1, -2, -3] };
 // Opaque: how a canvas rounds what is transparent when it is read depends on where it keeps it just then.
@@ -220,8 +220,10 @@ describe('Renderer', () => {
       renderer.dispose();
       expect(renderer.draw(1)).to.equal(false);
     }
-    // Programs stay for views to come; the device frees them.
     expect(counts).to.include({ Buffer: 0, Framebuffer: 0, Texture: 0 });
+    // Some programs stay for views to come, until there are younger ones.
+    for (let i = 0; i < 8; i++) device.programs.release(`${i}`, device.programs.acquire(`${i}`, fillSource('vec4(1)')));
+    expect(counts.Program).to.equal(8);
     device.dispose();
     expect(counts).to.include({ Program: 0, Shader: 0 });
   });

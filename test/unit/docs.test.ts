@@ -8,8 +8,8 @@ import { transformSync } from 'esbuild';
 import { RayScene } from 'ray-scene/element';
 import { sceneTables, settingsTable } from '../../docs/tables.ts';
 
-const documents = ['README.md', 'CONTRIBUTING.md', ...readdirSync('docs').map((name) => `docs/${name}`)].filter((path) =>
-  path.endsWith('.md'),
+const documents = ['README.md', 'CONTRIBUTING.md', ...readdirSync('docs').map((name) => `docs/${name}`)].filter(
+  (path) => path.endsWith('.md'),
 );
 const read = (path: string): string => readFileSync(path, 'utf8');
 
@@ -23,20 +23,20 @@ for (const [path, marker, text] of generated) {
     const [start, end] = [`<!-- ${marker} -->\n`, `\n<!-- /${marker} -->`];
     const before = read(path);
     const [from, to] = [before.indexOf(start) + start.length, before.indexOf(end)];
-    if (process.env['UPDATE']) writeFileSync(path, before.slice(0, from) + text + before.slice(to));
+    if (process.env.UPDATE) writeFileSync(path, before.slice(0, from) + text + before.slice(to));
     else assert.equal(before.slice(from, to), text, 'UPDATE=1 npm run test:unit writes it');
   });
 }
 
 test('the README lists every attribute of the element', () => {
-  const [, text = ''] = /### Attributes([^]*?)###/.exec(read('README.md')) ?? [];
+  const [, text = ''] = /### Attributes(.*?)###/s.exec(read('README.md')) ?? [];
   const listed = [...text.matchAll(/^\| `([\w-]+)`/gm)].map(([, name]) => name);
   assert.deepEqual(listed.sort(), [...RayScene.observedAttributes].sort());
 });
 
 /** The text of every code block of a language. */
 const blocks = (path: string, language: string): string[] =>
-  [...read(path).matchAll(new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``, 'g'))].map(([, text]) => text as string);
+  [...read(path).matchAll(new RegExp(`\`\`\`${language}\\n(.*?)\`\`\``, 'gs'))].map(([, text]) => text as string);
 
 type Attributes = { [name: string]: string };
 
@@ -63,7 +63,7 @@ function sceneOf(markup: string): object {
   const [environment] = all('environment');
   const [scene] = all('scene');
   return {
-    ...(scene?.['background'] && { background: scene['background'] }),
+    ...(scene?.background && { background: scene.background }),
     ...(camera && { camera }),
     ...(environment && { environment }),
     lights: all('light'),
@@ -73,7 +73,7 @@ function sceneOf(markup: string): object {
 }
 
 const sceneMarkup = (text: string): string[] =>
-  [...text.matchAll(/<ray-scene(?:(?!<ray-scene)[^])*?<\/ray-scene>/g)].map(([markup]) => markup);
+  [...text.matchAll(/<ray-scene(?:(?!<ray-scene).)*?<\/ray-scene>/gs)].map(([markup]) => markup);
 
 test('the markup of the documentation is valid', () => {
   const examples = documents.flatMap((path) => sceneMarkup(read(path)));

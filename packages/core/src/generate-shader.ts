@@ -34,11 +34,11 @@ export function generateShader(required: Requirements, { varyings = 0 }: ShaderO
   const rows = !indexed && scene.size / 16 < varyings ? varyingRows(scene) : undefined;
   const files = {
     ...glslFiles,
-    'generated/limits.glsl': `const int BOUNCES = ${required.bounces};\n`,
+    'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,
     'generated/view.glsl': blockGlsl(view),
     'generated/rows.glsl': rows?.vertex ?? '',
     'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
-    'generated/objects.glsl': indexed ? indexedObjects(required) : unrolledObjects(required, scene, !!rows),
+    'generated/objects.glsl': indexed ? indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows),
   };
   const defined = definedNames(required);
   if (rows) defined.add('VARYINGS');

@@ -1,4 +1,152 @@
+/**
+ * The generated part of the shader for scenes of many objects: they are gone through in loops over uniform arrays, and
+ * which one a ray met is told by its number. The same functions as in `unrolled-objects.ts`.
+ */
+import { arrayName, structName } from './pack-scene.ts';
+import { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
-export function indexedObjects(_required: Requirements): string {
-  return '';
+import { lightKinds } from './schema.ts';
+import type { BlockLayout } from './std140.ts';
+
+/** The objects of one kind. Their numbers begin at `first`. */
+interface Group {
+  readonly kind: ShapeKind;
+  readonly array: string;
+  readonly count: number;
+  readonly first: number;
+}
+
+export function indexedObjects(required: Requirements, scene: BlockLayout): string {
+  const groups = objectGroups(required);
+  const has = (feature: string): boolean => required.features.some((one) => one === feature);
+  return [
+    partsGlsl(scene),
+    nearestGlsl(groups),
+    has('shadows') ? occlusionGlsl(groups) : '',
+    surfaceGlsl(groups, has),
+    lightsGlsl(required),
+  ].join('\n');
+}
+
+/** Arrays stay uniforms. GLSL knows no empty struct: without surroundings there is a number in place of them. */
+function partsGlsl({ entries }: BlockLayout): string {
+  const surroundings = entries.some(({ name }) => name === 'surroundings');
+  return `struct Parts {
+  ${surroundings ? 'Surroundings surroundings' : 'float none'};
+};
+Parts loadParts() {
+  return Parts(${surroundings ? 'surroundings' : '0.0'});
+}
+struct From {
+  vec3 o;
+  bool camera;
+};
+From fromPoint(Parts scene, vec3 o) {
+  return From(o, false);
+}
+From fromCamera(Parts scene) {
+  return From(vec3(0.0), true);
+}
+`;
+}
+
+function objectGroups({ shapes }: Requirements): readonly Group[] {
+  let first = 0;
+  return shapeKinds
+    .filter((kind) => shapes[kind] > 0)
+    .map((kind) => {
+      const group = { kind, array: arrayName(kind), count: shapes[kind], first };
+      first += shapes[kind];
+      return group;
+    });
+}
+
+const loop = ({ count }: Group, body: string): string => `  for (int i = 0; i < ${count}; i++) {\n${body}\n  }`;
+
+/** What rays from the point share for the i-th object of a group. */
+const seenFrom = ({ kind, array }: Group): string =>
+  `from.camera ? ${kind}FromCamera(${array}[i]) : ${kind}From(${array}[i], from.o)`;
+
+function nearestGlsl(groups: readonly Group[]): string {
+  const searches = groups.map((group) =>
+    loop(
+      group,
+      `    ${structName(group.kind)}From seen = ${seenFrom(group)};
+    float own = left.object == ${group.first} + i ? 1.0 : 0.0;
+    float t = ${group.kind}Distance(${group.array}[i], seen, d, own);
+    if (t < hit.t) hit = Hit(t, ${group.first} + i);`,
+    ),
+  );
+  return `struct Hit {
+  float t;
+  int object;
+};
+const Hit NOTHING = Hit(MISS, -1);
+Hit nearest(Parts scene, From from, vec3 d, Hit left) {
+  Hit hit = NOTHING;
+${searches.join('\n')}
+  return hit;
+}
+`;
+}
+
+function occlusionGlsl(groups: readonly Group[]): string {
+  const searches = groups
+    .filter(({ kind }) => primitives[kind].occludes(1))
+    .map((group) => {
+      const { kind, array } = group;
+      return loop(
+        group,
+        `    if (${kind}Occlusion(${array}[i], ${kind}From(${array}[i], from.o), d, limit) > 0.0) return 1.0;`,
+      );
+    });
+  return `float occlusion(Parts scene, From from, vec3 d, float limit) {
+${searches.join('\n')}
+  return 0.0;
+}
+`;
+}
+
+/** A statement for the object that was hit, `i` being its index in the array of its kind. */
+function forHit(groups: readonly Group[], statement: (group: Group) => string): string {
+  const branches = groups.map((group, number) => {
+    const last = number === groups.length - 1;
+    const condition = last ? '' : `if (hit.object < ${group.first + group.count}) `;
+    return `${condition}{\n    int i = hit.object - ${group.first};\n    ${statement(group)}\n  }`;
+  });
+  return `  ${branches.join(' else ')}`;
+}
+
+function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
+  const checker = ({ kind, array }: Group): string =>
+    has(`${kind}Checker`) ? `\n    m.color += checkerOdd(${kind}Cells(${array}[i], p)) * m.checkerStep;` : '';
+  return `vec3 normalAt(Parts scene, From from, Hit hit) {
+  vec3 n;
+${forHit(groups, ({ kind, array }) => `n = ${kind}Normal(${array}[i], ${kind}From(${array}[i], from.o), 1.0);`)}
+  return n;
+}
+Material materialAt(Parts scene, Hit hit, vec3 p) {
+  Material m;
+${forHit(groups, (group) => `m = materials[${group.array}[i].material];${checker(group)}`)}
+  return m;
+}
+`;
+}
+
+function lightsGlsl({ lights }: Requirements): string {
+  const kinds = lightKinds.filter((kind) => lights[kind] > 0);
+  if (kinds.length === 0) return '';
+  const sums = kinds.map(
+    (kind) =>
+      `  for (int i = 0; i < ${lights[kind]}; i++) {
+    lit = both(lit, ${kind}Light(${kind}Lights[i], scene, from, s, p, d));
+  }`,
+  );
+  return `#include "light/lights.glsl"
+Lit lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
+  Lit lit = Lit(Light(0.0), Highlight(0.0));
+${sums.join('\n')}
+  return lit;
+}
+`;
 }

@@ -50,8 +50,8 @@ export function packingFrame({ camera, objects, lights }: ResolvedScene): Frame 
 }
 
 /**
- * The bytes of the block `Scene`. Places that the scene does not fill, because an earlier one needed more, stay 0: a
- * primitive or a light of zeros meets no ray and sends no light.
+ * The bytes of the block `Scene`. Where an earlier scene needed more places, the ones that this scene does not fill hold
+ * objects that no ray meets, and lights without light.
  */
 export function packScene(scene: ResolvedScene, required: Requirements, block: BlockLayout): ArrayBuffer {
   const frame = packingFrame(scene);
@@ -69,6 +69,9 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
       writer.write(arrayName(kind), i, { ...record, material: index });
       if (!indexed) writer.write('materials', number + i, material(index));
     });
+    for (let i = ofKind.length; i < required.shapes[kind]; i++) {
+      writer.write(arrayName(kind), i, { ...primitives[kind].absent, material: 0 });
+    }
     number += required.shapes[kind];
   }
   for (const kind of lightKinds) {

@@ -19,6 +19,7 @@ export const features = [
   'sphereChecker',
   'planeChecker',
   'tiltedPlane',
+  'turnedChecker',
   // Derived from the whole scene:
   'mixedFalloff',
   'checker',
@@ -46,13 +47,18 @@ export interface Requirements {
   readonly features: readonly Feature[];
 }
 
-/** Up to so many objects are written out one by one; more are gone through in loops, and found again by number. */
+/** Up to so many objects (or lights) are written out one by one; more are gone through in loops, and found again by number. */
 const MOST_UNROLLED = 8;
 
-/** Level planes under the camera, floors, get by with less than those that face any other way than up. */
-const isTilted = (shape: ResolvedScene['objects'][number]['shape'], eye: Vec3): boolean =>
-  shape.type === 'plane' &&
-  planeAxes(shape as Shape<'plane'>).normal[1] * primitives.plane.side(shape as Shape<'plane'>, eye) !== 1;
+/** Level and below the camera: such planes get by with less than those that face any other way than up. */
+const isFloor = (plane: Shape<'plane'>, eye: Vec3): boolean =>
+  planeAxes(plane).normal[1] * primitives.plane.side(plane, eye) === 1;
+
+/** Whether U runs along x and V along -z, as on a floor whose tangent is left out. */
+function isAlongAxes(plane: Shape<'plane'>): boolean {
+  const { tangent, bitangent } = planeAxes(plane);
+  return tangent[0] === 1 && bitangent[2] === -1;
+}
 
 /** Whether a kind can stand between two points outside of it. */
 const isSolid = (kind: ShapeKind): boolean => primitives[kind].occludes(1);
@@ -74,13 +80,15 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   const inside = scene.objects.some(
     ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
   );
-  const indexed = scene.objects.length > MOST_UNROLLED;
+  const indexed = scene.objects.length > MOST_UNROLLED || scene.lights.length > MOST_UNROLLED;
   const rounded = (count: number): number => (indexed ? roundedUp(count) : count);
   const severalObjects = scene.objects.length > 1;
+  const planes = scene.objects.map(({ shape }) => shape).filter((shape) => shape.type === 'plane') as Shape<'plane'>[];
   add(
     'tiltedPlane',
-    scene.objects.some(({ shape }) => isTilted(shape, scene.camera.position)),
+    planes.some((plane) => !isFloor(plane, scene.camera.position)),
   );
+  add('turnedChecker', has('planeChecker') && planes.some((plane) => !isAlongAxes(plane)));
   add('reflective', reflective);
   add('highlights', reflective && scene.lights.length > 0);
   add('shadows', severalObjects && scene.lights.length > 0 && scene.objects.some(({ shape }) => isSolid(shape.type)));
@@ -99,10 +107,12 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
     shapes: counts(
       shapeKinds,
       scene.objects.map(({ shape }) => shape.type),
+      rounded,
     ),
     lights: counts(
       lightKinds,
       scene.lights.map(({ type }) => type),
+      rounded,
     ),
     materials: indexed ? rounded(scene.materials.length) : scene.objects.length,
     features: features.filter(has),

@@ -122,7 +122,8 @@ export class Orbit implements ReactiveController {
   }
 
   #wheel(event: WheelEvent, canvas: HTMLCanvasElement): void {
-    if (!event.ctrlKey && !canvas.matches(':focus')) return;
+    const { activeElement } = canvas.getRootNode() as ShadowRoot;
+    if (!event.ctrlKey && activeElement !== canvas) return;
     event.preventDefault();
     const unit = [1, LINE_HEIGHT, canvas.clientHeight][event.deltaMode] ?? 1;
     this.#zoomBy(Math.exp(event.deltaY * unit * WHEEL_ZOOM));

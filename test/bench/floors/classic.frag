@@ -92,7 +92,7 @@ void main() {
     float w3 = 1. - w0 - w1 - w2;
     vec3 n = p * (.5 * w0 + 1.25 * w1 + 2. * w2) + vec3(1.25 * w1 - 2. * w2, 1.25 * w1 - .4 * w2 + w3, 2.5 * w1 + 6. * w2);
     float f0 = .1 + .8 * w0 + .4 * w1 + .1 * w2, a2 = .0001 * w0 + .0625 * w1 + .6561 * (w2 + w3);
-    float grey = w3 * (.5 - .5 * fract(.5 * (floor(p.x) + floor(p.z))));
+    float grey = w3 * (.5 - .5 * fract(.5 * (floor(p.x) + floor(-p.z))));
     // The light.
     vec3 l = vec3(10, 10, -10) - p;
     l /= sqrt(dot(l, l));

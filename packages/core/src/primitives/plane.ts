@@ -13,9 +13,10 @@ export const plane = definePrimitive({
   record: [
     { name: 'normal', type: 'vec3', when: 'tiltedPlane' },
     { name: 'offset', type: 'float' },
-    { name: 'cellU', type: 'vec3', when: 'planeChecker' },
+    { name: 'cellU', type: 'vec3', when: 'planeChecker turnedChecker' },
+    { name: 'perCell', type: 'float', when: 'planeChecker !turnedChecker' },
     { name: 'originU', type: 'float', when: 'planeChecker' },
-    { name: 'cellV', type: 'vec3', when: 'planeChecker' },
+    { name: 'cellV', type: 'vec3', when: 'planeChecker turnedChecker' },
     { name: 'originV', type: 'float', when: 'planeChecker' },
   ],
   pack(shape, frame, { side, checkerSize }) {
@@ -27,11 +28,22 @@ export const plane = definePrimitive({
       normal: scale(normal, side),
       offset: side * dot(normal, point),
       // U and V counted in cells, from the corner of a pair of cells near the camera rather than from far away.
+      perCell: 1 / cell,
       cellU: scale(tangent, 1 / cell),
       originU: withinPair(dot(tangent, point) / cell),
       cellV: scale(bitangent, 1 / cell),
       originV: withinPair(dot(bitangent, point) / cell),
     };
+  },
+  // A level plane farther below than any ray gets; one that faces nowhere.
+  absent: {
+    normal: [0, 0, 0],
+    offset: -1e30,
+    cellU: [0, 0, 0],
+    perCell: 0,
+    originU: 0,
+    cellV: [0, 0, 0],
+    originV: 0,
   },
   bounds: () => undefined,
   extent: (shape, frame) => Math.abs(dot(planeAxes(shape).normal, toFrame(frame, shape.point))),

@@ -28,6 +28,7 @@ export const sphere = definePrimitive({
       power: (distance - r) * (distance + r),
     };
   },
+  absent: { center: [0, 0, 0], radius2: 0, curvature: 0, power: 0 },
   bounds: ({ center, radius }) => ({
     min: center.map((x) => x - radius) as unknown as Vec3,
     max: center.map((x) => x + radius) as unknown as Vec3,
