@@ -1,5 +1,6 @@
 // Ray against plane: t = height / -(n·d). The normal points to the camera's side, where all rays are; so the plane is
-// met where n·d < 0, and nothing that it could hide is ever lit (see `dimmed` in pack-scene.ts).
+// met where n·d < 0, and nothing that it could hide is ever lit (see `dimmed` in pack-scene.ts). Level planes, with a
+// normal of (0, ±1, 0), get by with a sign.
 
 // What all rays from a point share: its height above the plane.
 struct PlaneFrom {
@@ -10,7 +11,7 @@ PlaneFrom planeFrom(Plane s, vec3 o) {
 #ifdef TILTED_PLANE
   return PlaneFrom(dot(s.normal, o) - s.offset);
 #else
-  return PlaneFrom(o.y - s.offset);
+  return PlaneFrom(s.facing * o.y - s.offset);
 #endif
 }
 
@@ -23,7 +24,7 @@ float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
 #ifdef TILTED_PLANE
   float approach = -dot(s.normal, d);
 #else
-  float approach = -d.y;
+  float approach = -s.facing * d.y;
 #endif
   return mix(MISS, from.height / approach, min(approach, 0.5 - own) > 0.0);
 }
@@ -33,7 +34,7 @@ vec3 planeNormal(Plane s, PlaneFrom from, float weight) {
 #ifdef TILTED_PLANE
   return weight * s.normal;
 #else
-  return vec3(0.0, weight, 0.0);
+  return vec3(0.0, weight * s.facing, 0.0);
 #endif
 }
 

@@ -119,6 +119,15 @@ describe('camera-controls', () => {
     expect(cameraOf(element).fov).to.equal(30);
   });
 
+  it('may be set up before there is a picture', async () => {
+    const element = await sceneWith(CONTENT);
+    partOf(element, 'ray-camera').fov = 30;
+    element.camera = { position: [3, 0, 0] };
+    element.camera = { up: [0, 0, 1] };
+    await element.ready;
+    expect(cameraOf(element)).to.deep.equal({ position: [3, 0, 0], target: [0, 0, 0], up: [0, 0, 1], fov: 30 });
+  });
+
   it('are not there unless wanted', async () => {
     const element = await controlled('');
     const canvas = canvasIn(element);

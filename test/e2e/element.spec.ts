@@ -28,7 +28,7 @@ test('twenty elements draw, with one context', async ({ page, complaints }) => {
   await show(page, Array.from({ length: 20 }, (_, hue) => markup(hue)).join(''));
   const hashes = new Set<number>();
   for (let n = 0; n < 20; n++) {
-    const { colors, hash } = await picture(page, 'ray-scene', n);
+    const { colors, hash } = await picture(page, n);
     expect(colors).toBeGreaterThan(50);
     hashes.add(hash);
   }

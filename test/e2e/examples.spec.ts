@@ -1,7 +1,7 @@
 /** Every example page does what it says it does, without a complaint. */
 import { readdirSync } from 'node:fs';
 import { expect } from '@playwright/test';
-import { completed, picture, stats, test } from './fixtures/watch.ts';
+import { completed, makeSmall, picture, stats, test } from './fixtures/watch.ts';
 
 const pages = readdirSync('examples').filter((name) => name.endsWith('.html'));
 const scenes = readdirSync('examples/scenes').map((name) => name.replace('.json', ''));
@@ -11,7 +11,7 @@ for (const name of pages) {
     await page.goto(`/examples/${name}`);
     const count = await page.locator('ray-scene').count();
     expect(count).toBeGreaterThan(0);
-    for (let n = 0; n < count; n++) expect((await picture(page, 'ray-scene', n)).colors).toBeGreaterThan(50);
+    for (let n = 0; n < count; n++) expect((await picture(page, n)).colors).toBeGreaterThan(50);
     await expect(page.locator('meta[http-equiv="Content-Security-Policy"]')).toHaveAttribute(
       'content',
       "script-src 'self'; style-src 'self'; require-trusted-types-for 'script'",
@@ -29,6 +29,7 @@ for (const name of pages) {
 for (const name of ['classic.html', 'classic-src.html']) {
   test(`${name} moves, and stops when told to`, async ({ page, complaints }) => {
     await page.goto(`/examples/${name}`);
+    await makeSmall(page);
     const { hash } = await picture(page);
     await expect.poll(async () => (await picture(page)).hash).not.toBe(hash);
     await page.getByRole('button', { name: 'Pause' }).click();
@@ -43,6 +44,7 @@ for (const name of ['classic.html', 'classic-src.html']) {
 
 test('moving a slider changes the picture and compiles nothing', async ({ page }) => {
   await page.goto('/examples/live.html');
+  await makeSmall(page);
   let before = await picture(page);
   const { compiles } = await stats(page);
   const sliders = page.locator('input[type=range]');
@@ -57,6 +59,7 @@ test('moving a slider changes the picture and compiles nothing', async ({ page }
 
 test('a first floor compiles one program, and bringing it back compiles none', async ({ page }) => {
   await page.goto('/examples/live.html');
+  await makeSmall(page);
   const bare = await picture(page);
   const { compiles } = await stats(page);
   await page.getByRole('button', { name: 'Add a floor' }).click();
@@ -71,6 +74,7 @@ test('a first floor compiles one program, and bringing it back compiles none', a
 
 test('a mistake in the JSON of scenes.html is told, and the last good picture stays', async ({ page }) => {
   await page.goto('/examples/scenes.html#hello');
+  await makeSmall(page);
   await completed(page);
   const { hash } = await picture(page);
   const json = page.getByRole('textbox', { name: 'JSON of the scene' });

@@ -63,15 +63,12 @@ function objectGroups({ shapes }: Requirements): readonly Group[] {
 
 const loop = ({ count }: Group, body: string): string => `  for (int i = 0; i < ${count}; i++) {\n${body}\n  }`;
 
-/** What rays from the point share for the i-th object of a group. */
-const seenFrom = ({ kind, array }: Group): string =>
-  `from.camera ? ${kind}FromCamera(${array}[i]) : ${kind}From(${array}[i], from.o)`;
-
 function nearestGlsl(groups: readonly Group[]): string {
   const searches = groups.map((group) =>
     loop(
       group,
-      `    ${structName(group.kind)}From seen = ${seenFrom(group)};
+      `    ${structName(group.kind)}From seen = ${group.kind}From(${group.array}[i], from.o);
+    if (from.camera) seen = ${group.kind}FromCamera(${group.array}[i]);
     float own = left.object == ${group.first} + i ? 1.0 : 0.0;
     float t = ${group.kind}Distance(${group.array}[i], seen, d, own);
     if (t < hit.t) hit = Hit(t, ${group.first} + i);`,
@@ -144,7 +141,7 @@ function lightsGlsl({ lights }: Requirements): string {
   );
   return `#include "light/lights.glsl"
 Lit lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
-  Lit lit = Lit(Light(0.0), Highlight(0.0));
+  Lit lit = Lit(vec3(0.0), vec3(0.0));
 ${sums.join('\n')}
   return lit;
 }

@@ -9,14 +9,12 @@ type LightOf<K extends LightKind> = Extract<Light, { type: K }>;
 const pointRecord = [
   { name: 'position', type: 'vec3' },
   { name: 'decays', type: 'float', when: 'mixedFalloff' },
-  { name: 'intensity', type: 'vec3', when: 'coloredLight' },
-  { name: 'intensity', type: 'float', when: '!coloredLight' },
+  { name: 'intensity', type: 'vec3' },
 ] as const;
 
 const directionalRecord = [
   { name: 'toLight', type: 'vec3' },
-  { name: 'irradiance', type: 'vec3', when: 'coloredLight' },
-  { name: 'irradiance', type: 'float', when: '!coloredLight' },
+  { name: 'irradiance', type: 'vec3' },
 ] as const;
 
 /** By kind: the name of the GLSL struct, its members, and their values for a light, over the π of every BRDF. */

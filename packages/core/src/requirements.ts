@@ -4,7 +4,6 @@ import { primitiveOf, primitives, type ShapeKind, shapeKinds } from './primitive
 import { planeAxes } from './primitives/plane.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { type LightKind, lightKinds, lights, material, type Shape } from './schema.ts';
-import type { Vec3 } from './vector.ts';
 
 /** Everything that a shader may or may not hold. In GLSL, each is a name to ask for by `#if`. */
 export const features = [
@@ -13,7 +12,6 @@ export const features = [
   'specular',
   'specularTint',
   'specularWeight',
-  'coloredLight',
   'falloff',
   'noFalloff',
   'sphereChecker',
@@ -50,10 +48,6 @@ export interface Requirements {
 /** Up to so many objects (or lights) are written out one by one; more are gone through in loops, and found again by number. */
 const MOST_UNROLLED = 8;
 
-/** Level and below the camera: such planes get by with less than those that face any other way than up. */
-const isFloor = (plane: Shape<'plane'>, eye: Vec3): boolean =>
-  planeAxes(plane).normal[1] * primitives.plane.side(plane, eye) === 1;
-
 /** Whether U runs along x and V along -z, as on a floor whose tangent is left out. */
 function isAlongAxes(plane: Shape<'plane'>): boolean {
   const { tangent, bitangent } = planeAxes(plane);
@@ -86,7 +80,7 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   const planes = scene.objects.map(({ shape }) => shape).filter((shape) => shape.type === 'plane') as Shape<'plane'>[];
   add(
     'tiltedPlane',
-    planes.some((plane) => !isFloor(plane, scene.camera.position)),
+    planes.some((plane) => Math.abs(planeAxes(plane).normal[1]) !== 1),
   );
   add('turnedChecker', has('planeChecker') && planes.some((plane) => !isAlongAxes(plane)));
   add('reflective', reflective);
@@ -104,20 +98,20 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   );
   return {
     bounces,
-    shapes: counts(
-      shapeKinds,
-      scene.objects.map(({ shape }) => shape.type),
-      rounded,
-    ),
+    shapes: counts(shapeKinds, kindsOrNone(scene), rounded),
     lights: counts(
       lightKinds,
       scene.lights.map(({ type }) => type),
       rounded,
     ),
-    materials: indexed ? rounded(scene.materials.length) : scene.objects.length,
+    materials: indexed ? rounded(scene.materials.length) : kindsOrNone(scene).length,
     features: features.filter(has),
   };
 }
+
+/** The kinds of all objects. GLSL knows no empty struct, so a scene without objects holds the place of one. */
+const kindsOrNone = ({ objects }: ResolvedScene): readonly ShapeKind[] =>
+  objects.length > 0 ? objects.map(({ shape }) => shape.type) : ['sphere'];
 
 /** What serves both: features that were compiled once stay, so that going back and forth compiles nothing. */
 export function mergeRequirements(a: Requirements, b: Requirements): Requirements {

@@ -25,13 +25,7 @@ export const camera = {
   },
 } satisfies NodeTable;
 
-const isGrey = ([r, g, b]: Vec3): boolean => r === g && g === b;
-
-const lightColor = color('Colour of the light.', {
-  default: [1, 1, 1],
-  light: true,
-  switches: { coloredLight: (light) => !isGrey(light) },
-});
+const lightColor = color('Colour of the light.', { default: [1, 1, 1], light: true });
 
 export const lights = {
   point: {
@@ -71,6 +65,8 @@ export const environment = {
     intensity: number('Factor on the radiance.', { default: 1, min: 0 }),
   },
 } satisfies NodeTable;
+
+const isGrey = ([r, g, b]: Vec3): boolean => r === g && g === b;
 
 export const material = {
   doc: 'How a surface scatters light: metallic-roughness as in glTF 2.0.',

@@ -1,5 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
+/** Of the time between two frames no more counts: the page was hidden meanwhile, or at a standstill. */
+const LONGEST_FRAME = 0.1;
+
 /** One turn of the loop. */
 export interface Frame {
   /** Whether anybody can see the element. */
@@ -56,7 +59,7 @@ export class FrameLoop implements ReactiveController {
     this.#request = 0;
     FrameLoop.#wanting.add(this);
     const visible = this.#inSight && !document.hidden;
-    const seconds = this.#before && (now - this.#before) / 1000;
+    const seconds = this.#before && Math.min(LONGEST_FRAME, (now - this.#before) / 1000);
     const more = this.#callback({ visible, seconds, sharers: FrameLoop.#wanting.size });
     if (more && visible) {
       this.#before = now;

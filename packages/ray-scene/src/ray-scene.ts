@@ -6,11 +6,9 @@ import {
   type ResolvedCamera,
   type Scene,
   SceneError,
-  type SourceWords,
 } from '@ray-scene/core';
 import { html, nothing, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
-import type { RaySceneEvents } from './events.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
 import { Orbit, type OrbitHost } from './orbit.ts';
@@ -22,10 +20,6 @@ import type { SceneHost } from './scene-elements.ts';
 import { SettingsElement } from './settings-element.ts';
 import { judge, type Reading, SceneSource, type SourceHost } from './source.ts';
 import { styles } from './styles.ts';
-
-// The typed events first: of several overloads TypeScript takes the first that fits.
-const TypedElement = SettingsElement as unknown as Omit<typeof SettingsElement, 'prototype'> &
-  (new () => RaySceneEvents & InstanceType<typeof SettingsElement>);
 
 const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true });
 
@@ -42,7 +36,7 @@ const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true }
  * @cssprop --ray-scene-error-background
  * @cssprop --ray-scene-focus-ring - An outline.
  */
-export class RayScene extends TypedElement implements CanvasHost, OrbitHost, SceneHost, SourceHost {
+export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, SceneHost, SourceHost {
   static override readonly styles = styles;
   static override readonly properties: PropertyDeclarations = {
     src: {},
@@ -93,6 +87,8 @@ export class RayScene extends TypedElement implements CanvasHost, OrbitHost, Sce
   #failure: Error | undefined;
   /** Whether something on the element itself has changed. */
   #stale = true;
+  /** A camera that was set before there was a picture. */
+  #wanted: Partial<ResolvedCamera> | undefined;
   #hasBeenSeen = false;
   #hasPicture = false;
 
@@ -119,13 +115,15 @@ export class RayScene extends TypedElement implements CanvasHost, OrbitHost, Sce
   }
 
   set camera(camera: Partial<ResolvedCamera> | undefined) {
-    const whole = camera && parseScene({ camera: { ...this.camera, ...camera } });
-    this.#orbit.reset(whole && frameObjects({ ...whole, objects: this.#scene?.objects ?? [] }, 1));
+    const whole = parseScene({ camera: { ...this.camera, ...camera } });
+    // As long as there is no picture, nobody knows what to put for what is left out.
+    this.#wanted = this.camera ? undefined : camera && { ...this.#wanted, ...camera };
+    this.#orbit.reset(this.camera && camera && frameObjects(whole, 1));
   }
 
   /** Goes back to the scene's own camera. */
   resetCamera(): void {
-    this.#orbit.reset();
+    this.camera = undefined;
   }
 
   /** Resolves when the scene, as it is now, is seen; rejects if it cannot be. */
@@ -236,7 +234,8 @@ export class RayScene extends TypedElement implements CanvasHost, OrbitHost, Sce
     if (!reading && !this.#stale) return;
     this.#stale = false;
     this.#reading = reading ?? this.#reading;
-    const own = judge('attributes', { background: this.background ?? undefined }, ownWords);
+    const words = { locate: () => this.localName, field: 'attribute', spell: attributeOf };
+    const own = judge('attributes', { background: this.background ?? undefined }, words);
     this.#ownProblems = [...this.attributeProblems, ...own.problems];
     const { scene, origin } = this.#reading ?? {};
     if (scene && origin) this.#adopt(scene, origin, own.scene?.background);
@@ -277,6 +276,7 @@ export class RayScene extends TypedElement implements CanvasHost, OrbitHost, Sce
     const picture = size[0] * size[1] > 0 ? this.#openPicture() : undefined;
     if (!picture) return false;
     picture.show(scene, settings, size);
+    if (this.#wanted) this.camera = this.#wanted;
     const turns = !paused && this.#orbit.turn(seconds);
     const progress = picture.draw(this.#orbit.override, paused ? 0 : settings.frameBudget / sharers);
     // The context is lost, or the scene cannot be drawn.
@@ -300,5 +300,3 @@ export class RayScene extends TypedElement implements CanvasHost, OrbitHost, Sce
     return this.#picture;
   }
 }
-
-const ownWords: SourceWords = { locate: () => 'ray-scene', field: 'attribute', spell: attributeOf };

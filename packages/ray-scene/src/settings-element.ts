@@ -7,6 +7,7 @@ import {
   settingsFields,
 } from '@ray-scene/core';
 import { LitElement } from 'lit';
+import type { RaySceneEvents } from './events.ts';
 import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
 import { unknownAttributes } from './read-markup.ts';
 
@@ -68,6 +69,9 @@ defineFieldProperties(LitSettingsElement, settingsFields);
 
 type Settings = { -readonly [K in keyof typeof settingsFields]: (typeof settingsFields)[K]['default'] };
 
-/** The base class of `<ray-scene>`, with the properties that `defineFieldProperties` gave it. */
+/**
+ * The base class of `<ray-scene>`, with the properties that `defineFieldProperties` gave it. Its own events come first:
+ * of several overloads TypeScript takes the first that fits.
+ */
 export const SettingsElement = LitSettingsElement as unknown as Omit<typeof LitSettingsElement, 'prototype'> &
-  (new () => LitSettingsElement & Settings);
+  (new () => RaySceneEvents & LitSettingsElement & Settings);

@@ -75,7 +75,7 @@ export class SceneSource implements ReactiveController {
   }
 
   #declared(): Reading | undefined {
-    const { src, children } = this.#host;
+    const { src, children, localName } = this.#host;
     const scripts = [...children].filter(isJsonScript);
     const elements = [...children].filter(isSceneMarkup);
     const sources = [
@@ -85,11 +85,11 @@ export class SceneSource implements ReactiveController {
     ];
     if (sources.length > 1) {
       const message = `has ${sources.length} scenes: ${sources.join(', ')}. Keep one of them.`;
-      return { origin: 'several', problems: [{ path: [], where: 'ray-scene', message }] };
+      return { origin: 'several', problems: [{ path: [], where: localName, message }] };
     }
     if (src) return this.#downloaded(src);
     this.#stop();
-    if (scripts[0]) return judge('script', scripts[0].textContent, jsonIn('ray-scene > script'));
+    if (scripts[0]) return judge('script', scripts[0].textContent, jsonIn(`${localName} > script`));
     const { input, words, problems } = readMarkup(this.#host);
     return judge('children', input, words, problems);
   }

@@ -12,6 +12,7 @@ export const plane = definePrimitive({
   },
   record: [
     { name: 'normal', type: 'vec3', when: 'tiltedPlane' },
+    { name: 'facing', type: 'float', when: '!tiltedPlane' },
     { name: 'offset', type: 'float' },
     { name: 'cellU', type: 'vec3', when: 'planeChecker turnedChecker' },
     { name: 'perCell', type: 'float', when: 'planeChecker !turnedChecker' },
@@ -26,6 +27,7 @@ export const plane = definePrimitive({
     return {
       // Towards the camera: all light that reaches it leaves the plane on its side.
       normal: scale(normal, side),
+      facing: side * normal[1],
       offset: side * dot(normal, point),
       // U and V counted in cells, from the corner of a pair of cells near the camera rather than from far away.
       perCell: 1 / cell,
@@ -35,10 +37,11 @@ export const plane = definePrimitive({
       originV: withinPair(dot(bitangent, point) / cell),
     };
   },
-  // A level plane farther below than any ray gets; one that faces nowhere.
+  // It faces nowhere.
   absent: {
     normal: [0, 0, 0],
-    offset: -1e30,
+    facing: 0,
+    offset: 0,
     cellU: [0, 0, 0],
     perCell: 0,
     originU: 0,
