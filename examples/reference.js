@@ -75,8 +75,13 @@ async function compare() {
   const name = select.value;
   document.getElementById('state').textContent = 'computing…';
   scene.src = `scenes/${name}.json`;
-  await scene.ready;
-  await scene.complete;
+  try {
+    await scene.ready;
+    await scene.complete;
+  } catch {
+    document.getElementById('state').textContent = 'cannot be drawn, and the picture says why';
+    return;
+  }
   if (name !== select.value) return;
   const { samples, bounces, seed } = scene;
   const settings = { width: SIZE, height: SIZE, samples, bounces, seed };

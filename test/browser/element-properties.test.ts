@@ -1,5 +1,9 @@
 import { expect } from '@open-wc/testing';
-import type { RaySceneIntrinsicElements } from '../../packages/ray-scene/src/index.ts';
+import {
+  RaySceneErrorEvent,
+  type RaySceneIntrinsicElements,
+  RaySceneProgressEvent,
+} from '../../packages/ray-scene/src/index.ts';
 import { countEvents, partOf, sceneWith, someFrames } from './element-fixtures.ts';
 
 describe('properties of scene elements', () => {
@@ -71,6 +75,18 @@ describe('properties of scene elements', () => {
     // @ts-expect-error: no such attribute
     const wrong: RaySceneIntrinsicElements['ray-plane'] = { raduis: 1 };
     expect([sphere, scene, wrong]).to.have.lengthOf(3);
+  });
+
+  it('and events have types', () => {
+    const element = document.createElement('ray-scene');
+    const told: string[] = [];
+    element.addEventListener('error', ({ error, problems }) =>
+      told.push(error.message, ...problems.map(({ where }) => where)),
+    );
+    element.addEventListener('progress', ({ samples, total }) => told.push(`${samples} of ${total}`));
+    element.dispatchEvent(new RaySceneErrorEvent(new Error('broken')));
+    element.dispatchEvent(new RaySceneProgressEvent('progress', 1, 2));
+    expect(told).to.deep.equal(['broken', '1 of 2']);
   });
 });
 

@@ -130,6 +130,15 @@ describe('sources of <ray-scene>', () => {
       quiet.restore();
     });
 
+    it('gives up an address when a scene is assigned', async () => {
+      const element = await sceneWith('', 'src="first.json"');
+      await waitUntil(() => answers.length === 1);
+      element.scene = { name: 'assigned' };
+      await element.ready;
+      expect(answers[0]?.init?.signal?.aborted).to.equal(true);
+      expect(element.scene).to.include({ name: 'assigned' });
+    });
+
     it('sends cookies to other origins only when told to', async () => {
       const element = await sceneWith('', 'src="https://example.org/scene.json"');
       await waitUntil(() => answers.length === 1);

@@ -21,10 +21,10 @@ function round(x: number): number {
 /** A value that a field accepts, in its JSON form. */
 function valueFor({ kind, schema, read }: Fields[string]): fc.Arbitrary<unknown> {
   if (kind === 'choice') return fc.constantFrom(...(schema['enum'] as unknown[]));
-  const { minimum = schema['exclusiveMinimum'], maximum } = schema as { [k: string]: number };
+  const { exclusiveMinimum = -100, minimum = exclusiveMinimum, maximum = 100 } = schema as { [k: string]: number };
   const values: fc.Arbitrary<unknown> =
     kind === 'number'
-      ? fc.double({ min: Math.max(minimum ?? -100, -100), max: Math.min(maximum ?? 100, 100), noNaN: true }).map(round)
+      ? fc.double({ min: Math.max(minimum, -100), max: Math.min(maximum, 100), noNaN: true }).map(round)
       : byKind[kind as keyof typeof byKind];
   return values.filter((value) => !(typeof read(value) === 'object' && 'message' in (read(value) as object)));
 }

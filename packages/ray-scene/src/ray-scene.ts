@@ -1,12 +1,4 @@
-import {
-  type Background,
-  frameObjects,
-  type Problem,
-  parseScene,
-  type ResolvedCamera,
-  type Scene,
-  SceneError,
-} from '@ray-scene/core';
+import { frameObjects, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
 import { html, nothing, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
@@ -242,7 +234,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     this.#tell();
   }
 
-  #adopt(parsed: Scene, origin: string, background: Background | undefined): void {
+  #adopt(parsed: Scene, origin: string, background: Scene['background']): void {
     const scene = background ? { ...parsed, background } : parsed;
     const isOther = origin !== this.#origin;
     const before = this.#scene;
@@ -276,7 +268,9 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const picture = size[0] * size[1] > 0 ? this.#openPicture() : undefined;
     if (!picture) return false;
     picture.show(scene, settings, size);
-    if (this.#wanted) this.camera = this.#wanted;
+    const wanted = this.#wanted;
+    this.#wanted = undefined;
+    if (wanted) this.camera = wanted;
     const turns = !paused && this.#orbit.turn(seconds);
     const progress = picture.draw(this.#orbit.override, paused ? 0 : settings.frameBudget / sharers);
     // The context is lost, or the scene cannot be drawn.

@@ -57,7 +57,10 @@ export class SceneSource implements ReactiveController {
     this.flush();
     if (!this.#stale) return undefined;
     this.#stale = false;
-    if (this.#assigned !== undefined) return judge('scene property', this.#assigned);
+    if (this.#assigned !== undefined) {
+      this.#stop();
+      return judge('scene property', this.#assigned);
+    }
     if (isParsed(this.#host)) return this.#declared();
     this.touch();
     return undefined;
