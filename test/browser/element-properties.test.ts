@@ -122,6 +122,17 @@ describe('properties of <ray-scene>', () => {
     expect(element.getAttributeNames()).to.not.include.members(['alt']);
   });
 
+  it('may be set before the class is known', async () => {
+    const late = document.implementation.createHTMLDocument().createElement('ray-scene');
+    Object.assign(late, { samples: 3, cameraControls: true, scene: { name: 'early' } });
+    document.body.append(late);
+    await late.ready;
+    expect(late.scene?.name).to.equal('early');
+    expect(late.settings.samples).to.equal(3);
+    expect(late.hasAttribute('camera-controls')).to.equal(true);
+    late.remove();
+  });
+
   it('batch edits into one change per frame', async () => {
     const element = await sceneWith('<ray-sphere></ray-sphere>');
     await element.complete;

@@ -1,0 +1,128 @@
+/** What the bench does in a page: draws a scene, or its floor, into a float target, with the renderer's own parts. */
+import {
+  type CameraFrame,
+  cameraFrame,
+  generateShader,
+  parseScene,
+  parseSettings,
+  pixelSample,
+  type ResolvedScene,
+  requirements,
+  resolveScene,
+  type Scene,
+} from '@ray-scene/core';
+import { Accumulation } from '../../packages/ray-scene/src/accumulation.ts';
+import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
+import { Tracer } from '../../packages/ray-scene/src/tracer.ts';
+import { FloorTracer } from './floor-tracer.ts';
+
+/** One picture to draw. */
+export interface Subject {
+  /** JSON text of the scene. */
+  readonly scene: string;
+  readonly bounces: number;
+  /** In pixels; the picture is square. */
+  readonly size: number;
+  /** Source of the shader to draw it with, instead of the generated one. */
+  readonly floor?: string;
+}
+
+interface Drawable {
+  draw(frame: CameraFrame): void;
+}
+
+/** A subject on the GPU. */
+class Picture {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #scene: ResolvedScene;
+  readonly #drawable: Drawable;
+  readonly #accumulation: Accumulation;
+  readonly #pixel = new Float32Array(4);
+
+  constructor({ gl, precision, programs, shaderOptions }: RenderDevice, scene: Scene, subject: Subject) {
+    this.#gl = gl;
+    this.#scene = resolveScene(scene);
+    if (subject.floor) {
+      this.#drawable = new FloorTracer(gl, subject.floor, this.#scene.camera);
+    } else {
+      const tracer = new Tracer(gl, programs, requirements(this.#scene, subject), shaderOptions);
+      tracer.compile();
+      tracer.setScene(this.#scene);
+      this.#drawable = tracer;
+    }
+    this.#accumulation = new Accumulation(gl, precision, subject.size, subject.size);
+  }
+
+  /** Draws so many samples of a new picture, and waits for the last one. */
+  draw(samples: number): void {
+    const { width, height } = this.#accumulation;
+    this.#accumulation.clear();
+    for (let i = 0; i < samples; i++) {
+      const frame = cameraFrame(this.#scene.camera, width, height, pixelSample(i, 0));
+      this.#accumulation.add(() => this.#drawable.draw(frame));
+    }
+    this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.FLOAT, this.#pixel);
+  }
+
+  /** The mean of what was drawn. */
+  read(): Float32Array {
+    return this.#accumulation.readMean();
+  }
+}
+
+/** How many bounces a picture has unless something else is asked for. */
+export const defaultBounces = parseSettings().bounces;
+
+/** From a parsed scene to the first pixel that can be read. */
+export function coldStart(subject: Subject): { readonly compileMs: number; readonly firstFrameMs: number } {
+  const device = new RenderDevice();
+  const scene = parseScene(subject.scene);
+  const start = performance.now();
+  const picture = new Picture(device, scene, subject);
+  const compiled = performance.now();
+  picture.draw(1);
+  const drawn = performance.now();
+  device.dispose();
+  return { compileMs: compiled - start, firstFrameMs: drawn - start };
+}
+
+let device: RenderDevice;
+let pictures: readonly Picture[] = [];
+
+/** Puts subjects on one device, for `run`. Returns how long the generated shader of the first one is. */
+export function prepare(subjects: readonly Subject[]): { readonly shaderChars: number } {
+  device ??= new RenderDevice();
+  pictures = subjects.map((subject) => new Picture(device, parseScene(subject.scene), subject));
+  const [first] = subjects as [Subject];
+  const required = requirements(resolveScene(parseScene(first.scene)), first);
+  // The assembler has left out the comments.
+  return { shaderChars: generateShader(required, device.shaderOptions).fragment.replace(/\s+/g, '').length };
+}
+
+/** Draws samples of a subject; returns how many milliseconds passed. */
+export function run(index: number, samples: number): number {
+  const start = performance.now();
+  pictures[index]?.draw(samples);
+  return performance.now() - start;
+}
+
+/** The median over all pixels of how far the second subject is from the first, relative to the largest channel. */
+export function difference(): number {
+  const [a, b] = pictures.map((picture) => {
+    picture.draw(4);
+    return picture.read();
+  }) as [Float32Array, Float32Array];
+  const relative = Float64Array.from({ length: a.length / 4 }, (_, pixel) => {
+    const channels = [4 * pixel, 4 * pixel + 1, 4 * pixel + 2];
+    const apart = Math.max(...channels.map((i) => Math.abs((a[i] as number) - (b[i] as number))));
+    return apart === 0 ? 0 : apart / Math.max(...channels.map((i) => a[i] as number));
+  });
+  return relative.sort()[relative.length >> 1] as number;
+}
+
+/** What draws, as far as the browser tells. */
+export function rendererName(): string {
+  const { gl } = new RenderDevice();
+  const extension = gl.getExtension('WEBGL_debug_renderer_info');
+  return gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+}
