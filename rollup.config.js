@@ -16,6 +16,19 @@ function stripGlsl(text) {
     .replace(/^[ \t]+|[ \t\r]+$/gm, '');
 }
 
+/**
+ * The table's texts are for people and for tools, which read the modules; no page needs them. The first argument of a
+ * kind of field is its text.
+ */
+const withoutDocs = {
+  name: 'without-docs',
+  transform(code, path) {
+    if (!/core\/src\/(schema|settings|primitives\/\w+)\.ts$/.test(path)) return undefined;
+    const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc: )(['"]).*?(?<!\\)\1/gs;
+    return { code: code.replace(text, "''"), map: null };
+  },
+};
+
 const sources = {
   name: 'sources',
   transform(code, path) {
@@ -70,8 +83,9 @@ function oneFile(folder, name, input, others = '') {
     onLog,
     plugins: [
       nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
+      withoutDocs,
       sources,
-      terser({ module: true, ecma: 2020, format: { comments: /^!/ } }),
+      terser({ module: true, ecma: 2020, compress: { passes: 3 }, format: { comments: /^!/ } }),
       sizes(folder),
     ],
   };

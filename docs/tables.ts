@@ -14,27 +14,23 @@ import {
 
 type AnyField = Fields[string];
 
-/** Bounds as large as this only keep numbers finite, and tell nobody anything. */
-const NO_BOUND = 1e60;
-
 /** `from 0 to 1`, `above 0` */
-function range({ minimum, exclusiveMinimum, maximum }: { readonly [keyword: string]: unknown }): string {
-  const bounded = maximum !== NO_BOUND;
-  if (exclusiveMinimum !== undefined) return ` above ${exclusiveMinimum}${bounded ? `, at most ${maximum}` : ''}`;
-  if (minimum === -NO_BOUND) return bounded ? ` of at most ${maximum}` : '';
-  return bounded ? ` from ${minimum} to ${maximum}` : ` of at least ${minimum}`;
+function range({ min, above, max }: AnyField['limits']): string {
+  if (above !== undefined) return ` above ${above}${max === undefined ? '' : `, at most ${max}`}`;
+  if (min === undefined) return max === undefined ? '' : ` of at most ${max}`;
+  return max === undefined ? ` of at least ${min}` : ` from ${min} to ${max}`;
 }
 
-function valuesOf({ kind, schema }: AnyField): string {
+function valuesOf({ kind, limits }: AnyField): string {
   switch (kind) {
     case 'number':
-      return `${schema.type === 'integer' ? 'whole number' : 'number'}${range(schema)}`;
+      return `${limits.integer ? 'whole number' : 'number'}${range(limits)}`;
     case 'vector':
       return 'x y z';
     case 'color':
       return 'colour';
     case 'choice':
-      return (schema.enum as unknown[]).map((word) => `\`${word}\``).join(', ');
+      return (limits.choices ?? []).map((word) => `\`${word}\``).join(', ');
     default:
       return kind;
   }

@@ -1,15 +1,14 @@
 /** Draws with a shader of `floors/`: both stages are in one file, see the head of `floors/classic.frag`. */
-import { type CameraFrame, cameraAxes, type ResolvedCamera } from '@ray-scene/core';
+import type { CameraFrame } from '@ray-scene/core';
+import { addScaled, scale } from '../../packages/core/src/vector.ts';
 import { Program } from '../../packages/ray-scene/src/program.ts';
 
 export class FloorTracer {
   readonly #gl: WebGL2RenderingContext;
   readonly #program: Program;
-  readonly #camera: ResolvedCamera;
 
-  constructor(gl: WebGL2RenderingContext, source: string, camera: ResolvedCamera) {
+  constructor(gl: WebGL2RenderingContext, source: string) {
     this.#gl = gl;
-    this.#camera = camera;
     this.#program = new Program(gl, {
       vertex: source.replace('\n', '\n#define VERTEX\n'),
       fragment: source,
@@ -19,25 +18,17 @@ export class FloorTracer {
   }
 
   /** Draws one sample of every pixel into the bound framebuffer. */
-  draw({ width, height, corner, stepX, stepY }: CameraFrame): void {
-    const { right, up, forward } = cameraAxes(this.#camera);
-    const along = (axis: readonly number[], v: readonly number[]): number =>
-      axis.reduce((sum, x, i) => sum + x * (v[i] as number), 0);
-    const [perX, perY] = [along(right, stepX), along(up, stepY)];
+  draw({ origin, corner, stepX, stepY, width, height }: CameraFrame): void {
+    const gl = this.#gl;
+    const [right, up] = [scale(stepX, width / 2), scale(stepY, height / 2)];
     this.#program.use();
-    this.#set('origin', this.#camera.position);
-    this.#set('forward', forward);
-    this.#set('right', right.map((x) => (x * perX * width) / 2));
-    this.#set('up', up.map((x) => (x * perY * height) / 2));
-    // Where in the pixel the sample is: pixel centres would put the corner of the window half a window from its middle.
-    this.#set('jitter', [along(right, corner) / perX + width / 2 + 0.5, along(up, corner) / perY + height / 2 + 0.5]);
-    this.#set('resolution', [width, height]);
-    this.#gl.drawArrays(this.#gl.TRIANGLES, 0, 3);
-  }
-
-  #set(name: string, value: readonly number[]): void {
-    const location = this.#program.uniform(name);
-    if (value.length === 2) this.#gl.uniform2fv(location, value);
-    else this.#gl.uniform3fv(location, value);
+    gl.uniform3fv(this.#program.uniform('origin'), origin);
+    gl.uniform3fv(this.#program.uniform('right'), right);
+    gl.uniform3fv(this.#program.uniform('up'), up);
+    // The sample's place in the pixel is in `corner` already, and so in the middle of the window.
+    gl.uniform3fv(this.#program.uniform('forward'), addScaled(addScaled(corner, right, 1), up, 1));
+    gl.uniform2f(this.#program.uniform('jitter'), 0.5, 0.5);
+    gl.uniform2f(this.#program.uniform('resolution'), width, height);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }

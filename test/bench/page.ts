@@ -4,7 +4,6 @@ import {
   cameraFrame,
   generateShader,
   parseScene,
-  parseSettings,
   pixelSample,
   type ResolvedScene,
   requirements,
@@ -43,7 +42,7 @@ class Picture {
     this.#gl = gl;
     this.#scene = resolveScene(scene);
     if (subject.floor) {
-      this.#drawable = new FloorTracer(gl, subject.floor, this.#scene.camera);
+      this.#drawable = new FloorTracer(gl, subject.floor);
     } else {
       const tracer = new Tracer(gl, programs, requirements(this.#scene, subject), shaderOptions);
       tracer.compile();
@@ -69,9 +68,6 @@ class Picture {
     return this.#accumulation.readMean();
   }
 }
-
-/** How many bounces a picture has unless something else is asked for. */
-export const defaultBounces = parseSettings().bounces;
 
 /** From a parsed scene to the first pixel that can be read. */
 export function coldStart(subject: Subject): { readonly compileMs: number; readonly firstFrameMs: number } {
@@ -106,18 +102,19 @@ export function run(index: number, samples: number): number {
   return performance.now() - start;
 }
 
-/** The median over all pixels of how far the second subject is from the first, relative to the largest channel. */
+/** The median, over the pixels that show anything, of how far two subjects are apart, relative to the largest channel. */
 export function difference(): number {
   const [a, b] = pictures.map((picture) => {
     picture.draw(4);
     return picture.read();
   }) as [Float32Array, Float32Array];
-  const relative = Float64Array.from({ length: a.length / 4 }, (_, pixel) => {
-    const channels = [4 * pixel, 4 * pixel + 1, 4 * pixel + 2];
-    const apart = Math.max(...channels.map((i) => Math.abs((a[i] as number) - (b[i] as number))));
-    return apart === 0 ? 0 : apart / Math.max(...channels.map((i) => a[i] as number));
-  });
-  return relative.sort()[relative.length >> 1] as number;
+  const relative: number[] = [];
+  for (let i = 0; i < a.length; i += 4) {
+    const [x, y] = [a.subarray(i, i + 3), b.subarray(i, i + 3)];
+    const largest = Math.max(...x);
+    if (largest > 0) relative.push(Math.max(...x.map((value, j) => Math.abs(value - (y[j] as number)))) / largest);
+  }
+  return relative.sort((one, other) => one - other)[relative.length >> 1] as number;
 }
 
 /** What draws, as far as the browser tells. */

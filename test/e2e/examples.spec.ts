@@ -93,6 +93,8 @@ for (const scene of scenes) {
     // All three pictures are in sight.
     await page.setViewportSize({ width: 900, height: 900 });
     await page.goto('/examples/reference.html');
+    // The program of the first scene is kept, and must draw this one as well.
+    await completed(page);
     await page.getByLabel('Scene', { exact: true }).selectOption(scene);
     const figure = async (name: string): Promise<number> => {
       const text = await page.getByRole('row', { name }).getByRole('cell').innerText();

@@ -11,7 +11,6 @@ const byKind = {
     fc.constantFrom('crimson', '#08f', 'rgb(10 20 30)', 'hsl(120 50% 50%)', 'color(srgb-linear 0.2 0.3 0.4)'),
   ),
   name: fc.constantFrom('a', 'b', 'ball'),
-  text: fc.string(),
 };
 
 function round(x: number): number {
@@ -19,12 +18,12 @@ function round(x: number): number {
 }
 
 /** A value that a field accepts, in its JSON form. */
-function valueFor({ kind, schema, read }: Fields[string]): fc.Arbitrary<unknown> {
-  if (kind === 'choice') return fc.constantFrom(...(schema['enum'] as unknown[]));
-  const { exclusiveMinimum = -100, minimum = exclusiveMinimum, maximum = 100 } = schema as { [k: string]: number };
+function valueFor({ kind, limits, read }: Fields[string]): fc.Arbitrary<unknown> {
+  if (kind === 'choice') return fc.constantFrom(...(limits.choices ?? []));
+  const { above = -100, min = above, max = 100 } = limits;
   const values: fc.Arbitrary<unknown> =
     kind === 'number'
-      ? fc.double({ min: Math.max(minimum, -100), max: Math.min(maximum, 100), noNaN: true }).map(round)
+      ? fc.double({ min: Math.max(min, -100), max: Math.min(max, 100), noNaN: true }).map(round)
       : byKind[kind as keyof typeof byKind];
   return values.filter((value) => !(typeof read(value) === 'object' && 'message' in (read(value) as object)));
 }

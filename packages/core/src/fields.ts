@@ -3,8 +3,17 @@ import { readColor } from './color.ts';
 import { nearestWord } from './nearest-word.ts';
 import type { Vec3 } from './vector.ts';
 
-/** A JSON Schema (draft 2020-12) as plain data. */
-export type JsonSchema = { readonly [keyword: string]: unknown };
+/** What a field accepts, as data: for the JSON Schema, the docs and tools. */
+export interface Limits {
+  readonly min?: number | undefined;
+  /** Exclusive lower bound. */
+  readonly above?: number | undefined;
+  readonly max?: number | undefined;
+  readonly integer?: boolean | undefined;
+  /** Not all components 0. */
+  readonly nonzero?: boolean | undefined;
+  readonly choices?: readonly (string | number)[];
+}
 
 /** What a value should have been: `a number above 0`. Returned instead of a value that cannot be read. */
 export class Mismatch {
@@ -25,10 +34,10 @@ export interface Field<T> {
   /** The shader features that a value needs. */
   features(value: NonNullable<T>): readonly string[];
   /** The kind of value, for people and for tools. */
-  readonly kind: 'number' | 'vector' | 'color' | 'choice' | 'name' | 'text';
+  readonly kind: 'number' | 'vector' | 'color' | 'choice' | 'name';
   /** Reads a JSON value or its text in markup. */
   read(value: unknown): NonNullable<T> | Mismatch;
-  readonly schema: JsonSchema;
+  readonly limits: Limits;
 }
 
 /** The fields of a node, by name. */
@@ -89,11 +98,7 @@ export function number<D extends number | undefined = undefined>(
       const n = readNumber(value);
       return accepts(n) ? n : expected;
     },
-    schema: {
-      type: integer ? 'integer' : 'number',
-      ...(above === undefined ? { minimum: min ?? -LARGEST_LENGTH } : { exclusiveMinimum: above }),
-      maximum: max ?? LARGEST_LENGTH,
-    },
+    limits: { min, above, max, integer },
   });
 }
 
@@ -119,13 +124,7 @@ export function vector<D extends Vec3 | undefined = undefined>(
       const valid = v?.every((n) => Math.abs(n) <= LARGEST_LENGTH) && !(options.nonzero && v.every((n) => n === 0));
       return v && valid ? v : expected;
     },
-    schema: {
-      type: 'array',
-      minItems: 3,
-      maxItems: 3,
-      items: { type: 'number', minimum: -LARGEST_LENGTH, maximum: LARGEST_LENGTH },
-      ...(options.nonzero ? { contains: { not: { const: 0 } } } : {}),
-    },
+    limits: { nonzero: options.nonzero },
   });
 }
 
@@ -161,12 +160,7 @@ export function color<D extends Vec3 | undefined = undefined>(
       const rgb = readColor(value);
       return typeof rgb === 'string' ? new Mismatch(`${expected}; this ${rgb}`) : Object.freeze(rgb);
     },
-    schema: {
-      anyOf: [
-        { type: 'array', minItems: 3, maxItems: 3, items: { type: 'number', minimum: 0, maximum: max } },
-        { type: 'string', minLength: 3 },
-      ],
-    },
+    limits: { max: options.light ? undefined : 1 },
   });
 }
 
@@ -184,7 +178,7 @@ export function choice<const C extends string | number>(
       const near = typeof value === 'string' ? nearestWord(value, words) : undefined;
       return choices[index] ?? new Mismatch(`must be ${allowed}${near ? ` (did you mean "${near}"?)` : ''}`);
     },
-    schema: { enum: choices },
+    limits: { choices },
   });
 }
 
@@ -196,12 +190,12 @@ export function name(doc: string): Field<string | undefined> {
     {},
     {
       read: (value) => (typeof value === 'string' && value.trim() ? value.trim() : new Mismatch('must be a name')),
-      schema: { type: 'string', pattern: '\\S' },
+      limits: {},
     },
   );
 }
 
-type Reader<T> = { read(value: unknown): NonNullable<T> | Mismatch; schema: JsonSchema };
+type Reader<T> = { read(value: unknown): NonNullable<T> | Mismatch; limits: Limits };
 
 function field<T, D extends T | undefined>(
   kind: Field<T>['kind'],
@@ -216,6 +210,6 @@ function field<T, D extends T | undefined>(
     default: options.default as D,
     features: (value) => switches.filter(([, needs]) => needs(value as NonNullable<T>)).map(([feature]) => feature),
     read: reader.read as Field<T | D>['read'],
-    schema: reader.schema,
+    limits: reader.limits,
   };
 }

@@ -2,11 +2,11 @@
 export { type AssembledGlsl, assembleGlsl, type GlslSources } from './assemble-glsl.ts';
 export { builtInMaterials } from './built-in-materials.ts';
 export { type CameraFrame, cameraAxes, cameraFrame, type ResolvedCamera, rayDirection } from './camera-frame.ts';
-export { type Field, type Fields, type JsonSchema, Mismatch, type Values } from './fields.ts';
+export { type Field, type Fields, type Limits, Mismatch, type Values } from './fields.ts';
 export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
 export { glslFiles } from './glsl-files.ts';
-export { sceneJsonSchema } from './json-schema.ts';
+export { type JsonSchema, sceneJsonSchema } from './json-schema.ts';
 export { orbitCamera, panCamera, zoomCamera } from './move-camera.ts';
 export { nearestWord } from './nearest-word.ts';
 export { layoutBlocks, packScene, packView } from './pack-scene.ts';

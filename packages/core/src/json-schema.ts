@@ -1,9 +1,11 @@
 /** The JSON Schema of scene files, from the same table as the parser: for editors and for other validators. */
-import type { Fields, JsonSchema } from './fields.ts';
-import { color } from './fields.ts';
+import { type Field, type Fields, LARGEST_LENGTH } from './fields.ts';
 import { limits } from './parse-scene.ts';
 import { primitives } from './primitives/index.ts';
 import { camera, environment, lights, material, type NodeTable, objectFields } from './schema.ts';
+
+/** A JSON Schema (draft 2020-12) as plain data. */
+export type JsonSchema = { readonly [keyword: string]: unknown };
 
 /**
  * The schema of what `parseScene` reads, draft 2020-12. It knows the JSON form of every value; the parser also takes
@@ -23,7 +25,7 @@ export function sceneJsonSchema(): JsonSchema {
       environment: node(environment),
       background: {
         description: 'What a camera ray shows that meets no object.',
-        anyOf: [{ enum: ['environment', 'transparent'] }, color('').schema],
+        anyOf: [{ enum: ['environment', 'transparent'] }, colorSchema({ max: 1 })],
       },
       lights: list(
         Object.entries(lights).map(([kind, table]) => variant(kind, table, kind !== 'point')),
@@ -50,11 +52,34 @@ const object = (properties: { readonly [name: string]: JsonSchema }, required: r
 
 const fieldSchemas = (fields: Fields): { readonly [name: string]: JsonSchema } =>
   Object.fromEntries(
-    Object.entries(fields).map(([name, { doc, schema, default: value }]) => [
+    Object.entries(fields).map(([name, { doc, kind, limits, default: value }]) => [
       name,
-      { description: doc, ...schema, ...(value === undefined ? {} : { default: value }) },
+      { description: doc, ...valueSchemas[kind](limits), ...(value === undefined ? {} : { default: value }) },
     ]),
   );
+
+type Limits = Field<unknown>['limits'];
+
+const triple = (items: JsonSchema): JsonSchema => ({ type: 'array', minItems: 3, maxItems: 3, items });
+
+const colorSchema = ({ max = LARGEST_LENGTH }: Limits): JsonSchema => ({
+  anyOf: [triple({ type: 'number', minimum: 0, maximum: max }), { type: 'string', minLength: 3 }],
+});
+
+const valueSchemas: { readonly [K in Field<unknown>['kind']]: (limits: Limits) => JsonSchema } = {
+  number: ({ min = -LARGEST_LENGTH, above, max = LARGEST_LENGTH, integer }) => ({
+    type: integer ? 'integer' : 'number',
+    ...(above === undefined ? { minimum: min } : { exclusiveMinimum: above }),
+    maximum: max,
+  }),
+  vector: ({ nonzero }) => ({
+    ...triple({ type: 'number', minimum: -LARGEST_LENGTH, maximum: LARGEST_LENGTH }),
+    ...(nonzero ? { contains: { not: { const: 0 } } } : {}),
+  }),
+  color: colorSchema,
+  choice: ({ choices }) => ({ enum: choices }),
+  name: () => ({ type: 'string', pattern: '\\S' }),
+};
 
 const node = ({ doc, fields }: NodeTable): JsonSchema => ({ description: doc, ...object(fieldSchemas(fields)) });
 

@@ -1,4 +1,4 @@
-import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
 
 /** Who renders a canvas, from its first update on. */
 export interface CanvasHost extends ReactiveControllerHost {

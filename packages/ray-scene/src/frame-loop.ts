@@ -1,4 +1,4 @@
-import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
 
 /** Of the time between two frames no more counts: the page was hidden meanwhile, or at a standstill. */
 const LONGEST_FRAME = 0.1;

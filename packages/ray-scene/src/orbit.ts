@@ -1,5 +1,5 @@
+import type { ReactiveController } from '@lit/reactive-element';
 import { orbitCamera, panCamera, type ResolvedCamera, zoomCamera } from '@ray-scene/core';
-import type { ReactiveController } from 'lit';
 import { type CanvasHost, canvasOf } from './canvas-size.ts';
 
 export interface OrbitHost extends CanvasHost {

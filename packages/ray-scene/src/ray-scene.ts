@@ -1,5 +1,5 @@
+import type { PropertyDeclarations, PropertyValues } from '@lit/reactive-element';
 import { frameObjects, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
-import { html, nothing, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
@@ -10,6 +10,7 @@ import { type RenderStats, WebGLUnavailableError } from './renderer.ts';
 import { ErrorReport } from './report.ts';
 import type { SceneHost } from './scene-elements.ts';
 import { SettingsElement } from './settings-element.ts';
+import { ShadowTree } from './shadow-tree.ts';
 import { judge, type Reading, SceneSource, type SourceHost } from './source.ts';
 import { styles } from './styles.ts';
 
@@ -67,6 +68,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   readonly #orbit = new Orbit(this, () => this.#viewChanged());
   readonly #report = new ErrorReport(this);
   readonly #progress = new ProgressReport(this);
+  #shadow: ShadowTree | undefined;
   #picture: Picture | undefined;
   #reading: Reading | undefined;
   /** What is wrong with the attributes of the element itself. */
@@ -168,25 +170,22 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     if (changed.has('src') || changed.has('crossOrigin')) this.#source.touch();
   }
 
-  protected override render(): TemplateResult {
-    const hasWebGL = !this.#lacksWebGL;
-    const keys = this.cameraControls;
-    return html`
-      <canvas
-        part="canvas"
-        role="img"
-        aria-label=${this.alt || this.#scene?.name || 'Ray-traced scene'}
-        aria-describedby=${keys ? 'keys' : nothing}
-        tabindex=${keys ? 0 : nothing}
-        ?hidden=${!hasWebGL}
-      ></canvas>
-      <span id="keys" hidden>Arrow keys look around, with shift they move; plus and minus zoom; 0 starts over.</span>
-      <div part="poster" ?hidden=${this.#hasPicture || !hasWebGL}>
-        <slot name="poster">${this.poster ? html`<img src=${this.poster} alt="" />` : nothing}</slot>
-      </div>
-      <div class=${hasWebGL ? 'nodes' : ''}><slot></slot></div>
-      ${this.#report.render()}
-    `;
+  protected override createRenderRoot(): HTMLElement | DocumentFragment {
+    const root = super.createRenderRoot() as ShadowRoot;
+    this.#shadow = new ShadowTree(root);
+    return root;
+  }
+
+  protected override update(changed: PropertyValues<this>): void {
+    super.update(changed);
+    this.#shadow?.show({
+      label: this.alt || this.#scene?.name || 'Ray-traced scene',
+      keys: this.cameraControls,
+      hasWebGL: !this.#lacksWebGL,
+      hasPicture: this.#hasPicture,
+      poster: this.poster,
+      error: this.#report.text,
+    });
   }
 
   protected override updated(): void {

@@ -1,5 +1,5 @@
+import type { ReactiveControllerHost } from '@lit/reactive-element';
 import { type Problem, SceneError } from '@ray-scene/core';
-import { html, type ReactiveControllerHost, type TemplateResult } from 'lit';
 import { RaySceneErrorEvent } from './events.ts';
 
 /** Tells what is wrong: in the element for who looks at it, on the console for who wrote it, as an event for scripts. */
@@ -22,9 +22,9 @@ export class ErrorReport {
     this.#host.dispatchEvent(new RaySceneErrorEvent(error));
   }
 
-  render(): TemplateResult {
-    // A long text scrolls, so it can have the focus.
-    return html`<div part="error" role="alert" tabindex="0" ?hidden=${!this.#error}>${this.#error?.message}</div>`;
+  /** What is wrong, in words. */
+  get text(): string | undefined {
+    return this.#error?.message;
   }
 }
 

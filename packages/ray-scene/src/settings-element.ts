@@ -1,3 +1,4 @@
+import { ReactiveElement } from '@lit/reactive-element';
 import {
   Mismatch,
   nearestWord,
@@ -6,7 +7,6 @@ import {
   type RenderSettings,
   settingsFields,
 } from '@ray-scene/core';
-import { LitElement } from 'lit';
 import type { RaySceneEvents } from './events.ts';
 import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
 import { unknownAttributes } from './read-markup.ts';
@@ -15,7 +15,7 @@ const names = Object.keys(settingsFields);
 const attributes = names.map(attributeOf);
 
 /** An element with the settings of the core's table as attributes and properties. */
-class LitSettingsElement extends LitElement implements FieldHost {
+class LitSettingsElement extends ReactiveElement implements FieldHost {
   static override get observedAttributes(): string[] {
     // biome-ignore lint/complexity/noThisInStatic: lit lists the attributes of the class that is asked, a subclass.
     return [...super.observedAttributes, ...attributes];

@@ -1,5 +1,5 @@
+import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
 import { jsonPath, type Problem, parseScene, type Scene, SceneError, type SourceWords } from '@ray-scene/core';
-import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { Download } from './download.ts';
 import { isSceneMarkup, readMarkup } from './read-markup.ts';
 

@@ -1,4 +1,4 @@
-import { css, unsafeCSS } from 'lit';
+import { css, unsafeCSS } from '@lit/reactive-element';
 import { sceneElements } from './scene-elements.ts';
 
 /** A rule selector for the children that are parts of the scene. */

@@ -1,0 +1,63 @@
+/** What `<ray-scene>` is made of inside. So little changes there that templates would be most of the code. */
+import type { Problem } from '@ray-scene/core';
+
+export interface ShadowState {
+  /** What the picture shows, in words. */
+  readonly label: string;
+  /** Whether keys look around. */
+  readonly keys: boolean;
+  readonly hasWebGL: boolean;
+  readonly hasPicture: boolean;
+  /** Address of an image to show until there is a picture. */
+  readonly poster: string | null;
+  /** What is wrong, in words. */
+  readonly error: Problem['message'] | undefined;
+}
+
+export class ShadowTree {
+  readonly canvas = make('canvas', { part: 'canvas', role: 'img' });
+  readonly #keys = make('span', { id: 'keys', hidden: '' });
+  readonly #image = make('img', { alt: '' });
+  readonly #poster = make('div', { part: 'poster' });
+  readonly #nodes = make('div', {});
+  // A long text scrolls, so it can have the focus.
+  readonly #error = make('div', { part: 'error', role: 'alert', tabindex: '0' });
+
+  constructor(root: ShadowRoot) {
+    this.#keys.textContent = 'Arrow keys look around, with shift they move; plus and minus zoom; 0 starts over.';
+    const poster = make('slot', { name: 'poster' });
+    poster.append(this.#image);
+    this.#poster.append(poster);
+    this.#nodes.append(make('slot', {}));
+    root.append(this.canvas, this.#keys, this.#poster, this.#nodes, this.#error);
+  }
+
+  show({ label, keys, hasWebGL, hasPicture, poster, error }: ShadowState): void {
+    set(this.canvas, 'aria-label', label);
+    set(this.canvas, 'aria-describedby', keys ? 'keys' : null);
+    set(this.canvas, 'tabindex', keys ? '0' : null);
+    this.canvas.hidden = !hasWebGL;
+    this.#poster.hidden = hasPicture || !hasWebGL;
+    set(this.#image, 'src', poster);
+    this.#image.hidden = !poster;
+    // Without a picture, whatever else the author put there is shown in its place.
+    this.#nodes.classList.toggle('nodes', hasWebGL);
+    this.#error.hidden = !error;
+    if (this.#error.textContent !== (error ?? '')) this.#error.textContent = error ?? '';
+  }
+}
+
+function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: { readonly [name: string]: string },
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}
+
+function set(element: Element, name: string, value: string | null): void {
+  if (element.getAttribute(name) === value) return;
+  if (value === null) element.removeAttribute(name);
+  else element.setAttribute(name, value);
+}

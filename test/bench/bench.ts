@@ -1,0 +1,72 @@
+/**
+ * `npm run bench -- [--quick] [--scene NAME] [--engine chromium|firefox|webkit] [--json FILE]`: how long it takes to the
+ * first picture of each example scene, and for each further sample; and the same for shaders of the same scenes that
+ * were written by hand (`floors/NAME.frag`).
+ */
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { parse } from 'node:path';
+import { parseArgs } from 'node:util';
+import { parseSettings } from '@ray-scene/core';
+import { type Browser, ENGINES, findBrowser } from '../browsers.mjs';
+import { ensureDisplay } from '../display.mjs';
+import { startBrowser } from './browser-pages.ts';
+import { bundleSize, describeMachine } from './circumstances.ts';
+import { measure, type Plan, type SceneToBench } from './measure.ts';
+import { printReport } from './report.ts';
+
+const SCENES = 'examples/scenes';
+
+/** The page of the classic asks for as many as the program that it is compared with has. */
+const BOUNCES: { readonly [scene: string]: number } = { classic: 10 };
+
+const QUICK: Plan = { coldStarts: 3, rounds: 9, turnMs: 200 };
+const THOROUGH: Plan = { coldStarts: 9, rounds: 31, turnMs: 400 };
+
+const { values: options } = parseArgs({
+  options: {
+    quick: { type: 'boolean', default: false },
+    scene: { type: 'string' },
+    engine: { type: 'string', default: 'chromium' },
+    json: { type: 'string' },
+  },
+});
+
+function oneOf(option: string, value: string, allowed: readonly string[]): string {
+  if (!allowed.includes(value)) throw new Error(`--${option} takes ${allowed.join(', ')}, not ${value}`);
+  return value;
+}
+
+function scenesToBench(): readonly SceneToBench[] {
+  const all = readdirSync(SCENES).map((file) => parse(file).name);
+  const names = options.scene === undefined ? all : [oneOf('scene', options.scene, all)];
+  return names.map((name) => {
+    const floor = `test/bench/floors/${name}.frag`;
+    return {
+      name,
+      scene: readFileSync(`${SCENES}/${name}.json`, 'utf8'),
+      bounces: BOUNCES[name] ?? parseSettings().bounces,
+      ...(existsSync(floor) ? { floor: readFileSync(floor, 'utf8') } : {}),
+    };
+  });
+}
+
+async function wantedBrowser(): Promise<Browser> {
+  const engine = oneOf('engine', options.engine, ENGINES);
+  const browser = await findBrowser(engine);
+  if (!browser) throw new Error(`there is no browser for ${engine}`);
+  await ensureDisplay([browser]);
+  return browser;
+}
+
+const scenes = scenesToBench();
+const browser = await wantedBrowser();
+const plan = options.quick ? QUICK : THOROUGH;
+const start = () => startBrowser(browser);
+const result = {
+  machine: await describeMachine(start),
+  plan,
+  bundle: { brotli: bundleSize() },
+  scenes: await measure(start, scenes, plan),
+};
+printReport(result);
+if (options.json) writeFileSync(options.json, `${JSON.stringify(result, null, 2)}\n`);

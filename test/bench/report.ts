@@ -1,0 +1,49 @@
+/** The numbers of the bench as a table for people. */
+import type { Machine } from './circumstances.ts';
+import type { Measured, Pace, Plan } from './measure.ts';
+
+export interface Report {
+  readonly machine: Machine;
+  readonly plan: Plan;
+  readonly bundle: { readonly brotli: number | null };
+  readonly scenes: { readonly [scene: string]: Measured };
+}
+
+export function printReport({ machine, plan, bundle, scenes }: Report): void {
+  const { browser, renderer, processor, cores, system, load, sampleTimes } = machine;
+  console.log(`${browser}, ${renderer}
+${processor}, ${cores} cores, ${system}, load ${load.toFixed(1)}
+ray-scene.min.js: ${bundle.brotli === null ? 'does not build' : `${bundle.brotli} bytes brotli`}
+
+ms, medians; pictures of 300 × 300; first frames of ${plan.coldStarts} starts, samples of ${plan.rounds} turns
+${line(['scene', 'shader chars', 'compile', 'first frame', 'ms/sample', 'wall', 'ratio to floor'])}`);
+  for (const [name, measured] of Object.entries(scenes)) {
+    const { shaderChars, compileMs, firstFrameMs, floorCompileMs, floorFirstFrameMs, at600 } = measured;
+    console.log(line([name, shaderChars, ms(compileMs), ms(firstFrameMs), ...paceCells(measured)]));
+    if (floorCompileMs === undefined || floorFirstFrameMs === undefined || !at600) continue;
+    console.log(line(['  its floor', '', ms(floorCompileMs), ms(floorFirstFrameMs), ...floorCells(measured)]));
+    console.log(line(['  at 600 × 600', '', '', '', ...paceCells(at600)]));
+    console.log(line(['  its floor', '', '', '', ...floorCells(at600)]));
+  }
+  const time = sampleTimes === 'cpu' ? 'what all processors spent together in the browser' : 'time on the clock';
+  console.log(`
+ms/sample is ${time}. The ratio to the floor, a shader written by hand for that one
+scene, is the median of ${plan.rounds} pairs. Times are of this machine and its load: compare ratios.`);
+}
+
+const paceCells = ({ msPerSample, wallMsPerSample, floorRatio }: Pace): string[] => [
+  ms(msPerSample),
+  ms(wallMsPerSample),
+  floorRatio?.toFixed(3) ?? '',
+];
+
+const floorCells = ({ floorMsPerSample = 0, floorWallMsPerSample = 0 }: Pace): string[] => [
+  ms(floorMsPerSample),
+  ms(floorWallMsPerSample),
+  '1',
+];
+
+const ms = (time: number): string => time.toFixed(time < 10 ? 2 : 1);
+
+const line = ([name, ...numbers]: readonly (string | number)[]): string =>
+  String(name).padEnd(16) + numbers.map((number) => String(number).padStart(14)).join('');
