@@ -68,7 +68,8 @@ vec4 direct(vec3 d) {
     Surface s = surfaceAt(scene, from, hit, p, d);
     radiance += throughput * lightFrom(scene, from, s, p, d);
     throughput *= fresnel(s.material, schlickWeight(s.nv));
-    d += (2.0 * s.nv) * s.normal;
+    // Over |n|², so that d keeps its length to the last bit: else an error of it would grow eightfold with each bounce.
+    d += (2.0 * s.nv / dot(s.normal, s.normal)) * s.normal;
     hit = nearest(scene, from, d, hit);
     p += hit.t * d;
 #ifdef INDEXED

@@ -11,7 +11,12 @@ struct SphereFrom {
 
 SphereFrom sphereFrom(Sphere s, vec3 o) {
   vec3 c = s.center - o;
-  return SphereFrom(c, dot(c, c) - s.radius2);
+  float power = dot(c, c) - s.radius2;
+#ifdef CLOSE_UP
+  // Near the camera, what the power changes by on the way there: on a planet, nothing large cancels in it.
+  power = mix(power, s.power - dot(o, s.center + c), dot(o, o) < 0.01 * s.radius2);
+#endif
+  return SphereFrom(c, power);
 }
 
 // From the camera, whose power was worked out in f64: next to a planet's surface, f32 would have none of it right.

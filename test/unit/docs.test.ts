@@ -135,3 +135,12 @@ test('every link of a document leads to a file', () => {
     }
   }
 });
+
+test('every file that a document names is there', () => {
+  for (const path of documents) {
+    for (const [, file = ''] of read(path).matchAll(/`((?:packages|shaders|examples|test|docs)\/[\w./-]+\.\w+)`/g)) {
+      // What the reader is to make or to build, and placeholders.
+      if (!/\bbox\b|\/dist\/|NAME/.test(file)) assert.ok(existsSync(file), `${path}: ${file}`);
+    }
+  }
+});

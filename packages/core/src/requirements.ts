@@ -26,6 +26,7 @@ export const features = [
   'reflections',
   'shadows',
   'inside',
+  'closeUp',
   'indexed',
   'environment',
   'gradient',
@@ -57,6 +58,15 @@ function isAlongAxes(plane: Shape<'plane'>): boolean {
 /** Whether a kind can stand between two points outside of it. */
 const isSolid = (kind: ShapeKind): boolean => primitives[kind].occludes(1);
 
+/** How much larger than another object a sphere may be before f32 cannot tell where on it that object stands. */
+const CLOSE_UP = 2 ** 10;
+
+/** Whether small things lie about on a sphere as large as a planet. */
+function isCloseUp({ objects }: ResolvedScene): boolean {
+  const radii = objects.flatMap(({ shape }) => (shape.type === 'sphere' ? [(shape as Shape<'sphere'>).radius] : []));
+  return Math.max(...radii) >= CLOSE_UP * Math.min(...radii);
+}
+
 /** What a resolved scene requires, when rays may meet up to `bounces` surfaces. */
 export function requirements(scene: ResolvedScene, { bounces }: { readonly bounces: number }): Requirements {
   const present = new Set<string>([...nodeFeatures(scene), ...checkers(scene)]);
@@ -87,6 +97,7 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   add('highlights', reflective && scene.lights.length > 0);
   add('shadows', severalObjects && scene.lights.length > 0 && scene.objects.some(({ shape }) => isSolid(shape.type)));
   add('inside', inside);
+  add('closeUp', isCloseUp(scene));
   add('indexed', indexed);
   add('reflections', reflective && (!!scene.environment || (bounces > 1 && (severalObjects || inside))));
   add('environment', !!scene.environment);

@@ -112,7 +112,7 @@ void main() {
     // On along the mirror direction.
     float e = 1. - nv, ee = e * e;
     T *= f0 + if0 * (ee * ee * e);
-    d += (2. * nv) * n;
+    d += (2. * nv / dot(n, n)) * n;
     TRACE
     i += 1.;
     more = max(t, i * 1e14) < 1e15;

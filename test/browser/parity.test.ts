@@ -1,0 +1,146 @@
+// The GPU's pictures against the f64 reference, sample by sample: both shoot the same rays, what differs is rounding.
+
+import { expect } from '@open-wc/testing';
+import { parseScene, type Scene } from '@ray-scene/core';
+import { illConditioned, relativeDifference, renderReference } from '@ray-scene/core/reference';
+import { drawn } from './drawn.ts';
+
+const SIZE = 128;
+const SAMPLES = 4;
+/** Relative to the brightest channel of the pixel. */
+const LIMIT = 1e-3;
+
+interface Agreement {
+  readonly median: number;
+  /** Shares of the pixels: off by more than the limit, and left out because f64 itself moves them as much. */
+  readonly off: number;
+  readonly excluded: number;
+}
+
+function agreement(scene: Scene, bounces: number): Agreement {
+  const settings = { width: SIZE, height: SIZE, samples: SAMPLES, bounces };
+  const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
+  const excluded = illConditioned(scene, settings, LIMIT);
+  const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
+  return {
+    median: judged.sort((a, b) => a - b)[judged.length >> 1] ?? 0,
+    off: judged.filter((value) => !(value <= LIMIT)).length / judged.length,
+    excluded: 1 - judged.length / difference.length,
+  };
+}
+
+function agree(what: string, scene: Scene, bounces = 6): void {
+  const { median, off, excluded } = agreement(scene, bounces);
+  const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
+  console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(excluded)}`);
+  expect(median, 'median').to.be.below(1e-5);
+  expect(off, `share of pixels off by more than ${LIMIT}`).to.be.below(1e-3);
+  expect(excluded, 'share of ill-conditioned pixels').to.be.below(0.03);
+}
+
+async function sceneFile(name: string): Promise<Scene> {
+  return parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text());
+}
+
+describe('GPU against reference', function () {
+  this.timeout(60_000);
+
+  for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'studio']) {
+    it(`draws ${name} alike`, async () => agree(name, await sceneFile(name), name === 'classic' ? 10 : 6));
+  }
+
+  const ball = { type: 'sphere', center: [0, 0, 0], radius: 1 };
+  const floor = { type: 'plane', point: [0, -1, 0], checker: 'black' };
+  const sun = { type: 'directional', direction: [1, -2, -1], intensity: 3 };
+  const lamp = { type: 'point', position: [2, 3, 4], intensity: 60 };
+  const camera = { position: [0.5, 1, 5] };
+
+  const scenes: { readonly [what: string]: object } = {
+    'one sphere and one directional light': { camera, lights: [sun], objects: [ball] },
+    'a look from inside a mirror ball': {
+      camera: { position: [0, 0, 1.5], target: [0, 0, 0], fov: 90 },
+      lights: [lamp, { type: 'point', position: [0.5, 1, 1], intensity: 5 }],
+      environment: { color: 'white' },
+      objects: [
+        { ...ball, radius: 2, metalness: 0.5, roughness: 0.3 },
+        { ...ball, radius: 0.5, color: 'gold' },
+      ],
+    },
+    'a lamp inside a ball, which lights nothing outside': {
+      camera,
+      lights: [sun, { ...lamp, position: [0, 0, 0.5] }],
+      objects: [ball, floor],
+    },
+    'a look from below the floor': {
+      camera: { position: [0, -3, 5] },
+      lights: [lamp, { ...lamp, position: [1, -4, 3] }],
+      objects: [ball, floor],
+    },
+    'a tilted plane with a turned pattern': {
+      camera,
+      lights: [lamp],
+      objects: [ball, { ...floor, normal: [0.3, 1, 0.2], tangent: [1, 0, 1], checkerSize: 0.4 }],
+    },
+    'light that does not fade beside light that does': {
+      camera,
+      lights: [lamp, { ...lamp, position: [-3, 2, 1], intensity: 2, decay: 0 }],
+      objects: [ball, floor],
+    },
+    'tinted and weak reflections': {
+      camera,
+      lights: [sun],
+      objects: [
+        { ...ball, specularColor: [1, 0.2, 0.1], ior: 3 },
+        { ...floor, specular: 0.3 },
+      ],
+    },
+    'surfaces without any reflection': {
+      camera,
+      lights: [sun, lamp],
+      objects: [
+        { ...ball, specular: 0 },
+        { ...floor, specular: 0 },
+      ],
+    },
+    'metal only': {
+      camera,
+      lights: [sun],
+      environment: { top: 'skyblue', bottom: 'white' },
+      objects: [
+        { ...ball, metalness: 1, roughness: 0 },
+        { type: 'plane', point: [0, -1, 0], metalness: 1, color: '#c85' },
+      ],
+    },
+    'nothing at all': { background: 'teal' },
+    'more objects and lights than are written out one by one': {
+      camera: { position: [0, 3, 9] },
+      lights: Array.from({ length: 9 }, (_, i) => ({
+        ...lamp,
+        position: [i - 4, 4, 3],
+        intensity: 10,
+        color: [1, 1 - i / 10, 0.5],
+      })),
+      environment: { color: [0.1, 0.1, 0.2] },
+      objects: [
+        floor,
+        ...Array.from({ length: 12 }, (_, i) => ({
+          ...ball,
+          center: [3 * Math.cos(i), -0.5 + i / 8, 3 * Math.sin(i)],
+          radius: 0.5,
+          metalness: i % 2,
+          roughness: i / 12,
+        })),
+      ],
+    },
+    'many objects seen from inside one of them': {
+      camera: { position: [0, 0, 0], target: [0, 0, -1] },
+      lights: [{ ...lamp, position: [1, 1, 1] }],
+      objects: [
+        { ...ball, radius: 8 },
+        ...Array.from({ length: 10 }, (_, i) => ({ ...ball, center: [i - 5, Math.sin(i), -4], radius: 0.4 })),
+      ],
+    },
+  };
+
+  for (const [what, scene] of Object.entries(scenes)) it(`draws ${what} alike`, () => agree(what, parseScene(scene)));
+});
