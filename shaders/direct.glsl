@@ -35,14 +35,21 @@ vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
 #endif
 #if defined(ENVIRONMENT) && defined(DIELECTRIC)
   vec3 irradiance = environmentIrradiance(scene.surroundings, s.normal);
-  light += diffuseShare(s.material, schlickWeight(s.nv)) * (s.material.color * irradiance);
+#ifdef REFLECTIVE
+  irradiance *= diffuseShare(s.material, schlickWeight(s.nv));
+#endif
+  light += s.material.color * irradiance;
 #endif
   return light;
 }
 
 Surface surfaceAt(Parts scene, From from, Hit hit, vec3 p, vec3 d) {
   vec3 n = normalAt(scene, from, hit);
+#ifdef REFLECTIVE
   return Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
+#else
+  return Surface(n, materialAt(scene, hit, p));
+#endif
 }
 
 // There is no early way out for rays that miss everything: what they compute is thrown away at the end. Software

@@ -2,7 +2,9 @@
 struct Surface {
   vec3 normal;
   Material material;
+#ifdef REFLECTIVE
   float nv;
+#endif
 };
 
 #ifdef CHECKER

@@ -7,9 +7,11 @@ struct Lit {
   vec3 specular;
 };
 
+#ifdef SEVERAL_LIGHTS
 Lit both(Lit a, Lit b) {
   return Lit(a.diffuse + b.diffuse, a.specular + b.specular);
 }
+#endif
 
 // Light that arrives along -l, `strength` times as strong as `color`: BRDF times cosine, or 0 from behind the surface.
 Lit scattered(vec3 color, float strength, Surface s, vec3 l, vec3 d) {
@@ -19,7 +21,12 @@ Lit scattered(vec3 color, float strength, Surface s, vec3 l, vec3 d) {
   vec3 h = l - d;
   float weight = schlickWeight(0.5 * sqrt(dot(h, h)));
   float lobe = received * ggxLobe(s.material.alpha2, s.normal, h, nl, s.nv);
-  return Lit((received * diffuseShare(s.material, weight)) * color, (lobe * fresnel(s.material, weight)) * color);
+  vec3 specular = (lobe * fresnel(s.material, weight)) * color;
+#ifdef DIELECTRIC
+  return Lit((received * diffuseShare(s.material, weight)) * color, specular);
+#else
+  return Lit(vec3(0.0), specular);
+#endif
 #else
   return Lit(received * color, vec3(0.0));
 #endif

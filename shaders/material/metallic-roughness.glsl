@@ -13,12 +13,14 @@
 #define DielectricReflectance float
 #endif
 
+#ifdef REFLECTIVE
 // (1 - cos)^5, the weight of Schlick's approximation.
 float schlickWeight(float cosine) {
   float m = 1.0 - cosine;
   float m2 = m * m;
   return m2 * m2 * m;
 }
+#endif
 
 #ifdef SPECULAR
 // Fresnel reflectance of the dielectric layer.
@@ -31,11 +33,9 @@ DielectricReflectance dielectricFresnel(Material m, float weight) {
 }
 #endif
 
-// The share of the light that gets under the dielectric layer and comes out again in the base colour. 0 for metals.
+#if defined(REFLECTIVE) && defined(DIELECTRIC)
+// The share of the light that gets under the dielectric layer and comes out again in the base colour.
 float diffuseShare(Material m, float weight) {
-#if !defined(DIELECTRIC)
-  return 0.0;
-#else
   float share = 1.0;
 #if defined(SPECULAR_TINT)
   vec3 reflected = dielectricFresnel(m, weight);
@@ -47,8 +47,8 @@ float diffuseShare(Material m, float weight) {
   share *= 1.0 - m.metalness;
 #endif
   return share;
-#endif
 }
+#endif
 
 #ifdef REFLECTIVE
 // Fresnel reflectance of the whole material: of its dielectric and its metal part, by metalness.

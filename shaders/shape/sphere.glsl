@@ -46,6 +46,7 @@ float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
   return t;
 }
 
+#ifdef SHADOWS
 // Above 0 where the sphere stands between its outside point and one `limit` away, which is outside too.
 float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
   vec2 chord = sphereChord(s, from, d);
@@ -55,6 +56,7 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
 #endif
   return blocked;
 }
+#endif
 
 // The unit normal on the camera's side at a point of the sphere, from what that point shares, times a weight.
 vec3 sphereNormal(Sphere s, SphereFrom from, float weight) {

@@ -2,7 +2,7 @@
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
 import { glslFiles } from './glsl-files.ts';
 import { indexedObjects } from './indexed-objects.ts';
-import { layoutBlocks } from './pack-scene.ts';
+import { sceneLayout, viewLayout } from './pack-scene.ts';
 import { shapeKinds } from './primitives/index.ts';
 import { features, type Requirements } from './requirements.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
@@ -28,10 +28,11 @@ export interface ShaderOptions {
 
 /** The vertex and fragment shader of a scene with these requirements. */
 export function generateShader(required: Requirements, { varyings = 0 }: ShaderOptions = {}): ShaderSource {
-  const { scene, view } = layoutBlocks(required);
+  const scene = sceneLayout(required);
   const indexed = required.features.includes('indexed');
   // One more row is for the camera ray.
   const rows = !indexed && scene.size / 16 < varyings ? varyingRows(scene) : undefined;
+  const view = viewLayout(!!rows);
   const files = {
     ...glslFiles,
     'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,

@@ -9,7 +9,7 @@ export { glslFiles } from './glsl-files.ts';
 export { type JsonSchema, sceneJsonSchema } from './json-schema.ts';
 export { orbitCamera, panCamera, zoomCamera } from './move-camera.ts';
 export { nearestWord } from './nearest-word.ts';
-export { layoutBlocks, packScene, packView } from './pack-scene.ts';
+export { packScene, packView } from './pack-scene.ts';
 export { parseScene, type SourceWords } from './parse-scene.ts';
 export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 export { pixelSample } from './random.ts';

@@ -11,12 +11,12 @@ import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std1
 import { length } from './vector.ts';
 import { eyeRecord, packEye, packSurroundings, surroundingsRecord } from './view-record.ts';
 
-/** The blocks that a shader with these requirements reads. */
-export function layoutBlocks(required: Requirements): { readonly scene: BlockLayout; readonly view: BlockLayout } {
+/** The block `Scene` of a shader with these requirements. */
+export function sceneLayout(required: Requirements): BlockLayout {
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
   const material = { name: 'material', type: 'int', when: 'indexed' } as const;
   const struct = (name: string, members: Parameters<typeof layoutStruct>[1]) => layoutStruct(name, members, has);
-  const scene = layoutBlock('Scene', [
+  return layoutBlock('Scene', [
     ...shapeKinds.map((kind) => ({
       name: arrayName(kind),
       struct: struct(structName(kind), [...primitives[kind].record, material]),
@@ -30,8 +30,11 @@ export function layoutBlocks(required: Requirements): { readonly scene: BlockLay
     { name: 'materials', struct: struct('Material', materialRecord), count: required.materials },
     { name: 'surroundings', struct: struct('Surroundings', surroundingsRecord) },
   ]);
-  return { scene, view: layoutBlock('View', [{ name: 'eye', struct: struct('Eye', eyeRecord) }]) };
 }
+
+/** The block `View`. `varyings`: the rays are interpolated, from corners that only the size of the window tells. */
+export const viewLayout = (varyings: boolean): BlockLayout =>
+  layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, () => varyings) }]);
 
 /** `Sphere` for the kind sphere. */
 export const structName = (kind: string): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}`;

@@ -24,6 +24,7 @@ export const features = [
   'reflective',
   'highlights',
   'reflections',
+  'severalLights',
   'shadows',
   'inside',
   'closeUp',
@@ -72,7 +73,10 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   const present = new Set<string>([...nodeFeatures(scene), ...checkers(scene)]);
   const has = (feature: Feature): boolean => present.has(feature);
   const add = (feature: Feature, needed: boolean): unknown => needed && present.add(feature);
+  const isLit = scene.lights.length > 0 || !!scene.environment;
   if (!has('dielectric')) present.delete('specular');
+  const reflective = isLit && (has('metal') || has('specular'));
+  if (!reflective) for (const feature of ['metal', 'specular']) present.delete(feature);
   if (!has('specular')) for (const detail of ['specularTint', 'specularWeight']) present.delete(detail);
 
   add('mixedFalloff', has('falloff') && has('noFalloff'));
@@ -80,7 +84,6 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
     'checker',
     scene.objects.some((object) => scene.materials[object.material]?.checker),
   );
-  const reflective = has('metal') || has('specular');
   const inside = scene.objects.some(
     ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
   );
@@ -98,6 +101,7 @@ export function requirements(scene: ResolvedScene, { bounces }: { readonly bounc
   add('shadows', severalObjects && scene.lights.length > 0 && scene.objects.some(({ shape }) => isSolid(shape.type)));
   add('inside', inside);
   add('closeUp', isCloseUp(scene));
+  add('severalLights', indexed || scene.lights.length > 1);
   add('indexed', indexed);
   add('reflections', reflective && (!!scene.environment || (bounces > 1 && (severalObjects || inside))));
   add('environment', !!scene.environment);

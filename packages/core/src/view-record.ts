@@ -7,9 +7,9 @@ import { add, scale, subtract } from './vector.ts';
 /** Rays through the window; see `CameraFrame`. Width and height are the window's, in pixels. */
 export const eyeRecord = [
   { name: 'corner', type: 'vec3' },
-  { name: 'width', type: 'float' },
+  { name: 'width', type: 'float', when: 'varyings' },
   { name: 'stepX', type: 'vec3' },
-  { name: 'height', type: 'float' },
+  { name: 'height', type: 'float', when: 'varyings' },
   { name: 'stepY', type: 'vec3' },
 ] as const;
 
