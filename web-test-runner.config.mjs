@@ -36,7 +36,7 @@ export default {
   concurrency: 1,
   browserStartTimeout: 60_000,
   testsStartTimeout: 60_000,
-  testsFinishTimeout: full ? 1_800_000 : 300_000,
+  testsFinishTimeout: full ? 1_800_000 : 600_000,
   testFramework: { config: { timeout: full ? 600_000 : 30_000 } },
   // A page has no environment: tests read globalThis.RAY_SCENE_FULL.
   testRunnerHtml: (framework) =>

@@ -3,6 +3,10 @@
 // discriminant from the part of the centre perpendicular to the ray, or b² - power, whichever is the more exact; the
 // roots without subtraction. There are no branches: a driver may run both sides of one anyway.
 
+#ifdef SPHERE_CHECKER
+#include "arc-tangent.glsl"
+#endif
+
 // What all rays from a point share: the way to the centre, and the power |c|² - r² of the point.
 struct SphereFrom {
   vec3 c;
@@ -62,3 +66,12 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
 vec3 sphereNormal(Sphere s, SphereFrom from, float weight) {
   return (-weight * s.curvature) * from.c;
 }
+
+#ifdef SPHERE_CHECKER
+// The surface lengths (U, V), counted in cells: arcs from the meridian of +z towards +x, and from the pole at +y down.
+vec2 sphereCells(Sphere s, vec3 p) {
+  vec3 q = p - s.center;
+  float fromAxis = sqrt(q.x * q.x + q.z * q.z);
+  return s.cells * vec2(arcTangent(q.x, q.z), arcTangent(fromAxis, q.y));
+}
+#endif

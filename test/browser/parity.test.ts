@@ -6,7 +6,6 @@ import { illConditioned, relativeDifference, renderReference } from '@ray-scene/
 import { drawn } from './drawn.ts';
 
 const SIZE = 128;
-const SAMPLES = 4;
 /** Relative to the brightest channel of the pixel. */
 const LIMIT = 1e-3;
 
@@ -17,8 +16,8 @@ interface Agreement {
   readonly excluded: number;
 }
 
-function agreement(scene: Scene, bounces: number): Agreement {
-  const settings = { width: SIZE, height: SIZE, samples: SAMPLES, bounces };
+function agreement(scene: Scene, bounces: number, samples: number): Agreement {
+  const settings = { width: SIZE, height: SIZE, samples, bounces };
   const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
   const excluded = illConditioned(scene, settings, LIMIT);
   const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
@@ -29,8 +28,8 @@ function agreement(scene: Scene, bounces: number): Agreement {
   };
 }
 
-function agree(what: string, scene: Scene, bounces = 6): void {
-  const { median, off, excluded } = agreement(scene, bounces);
+function agree(what: string, scene: Scene, bounces = 6, samples = 1): void {
+  const { median, off, excluded } = agreement(scene, bounces, samples);
   const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
   console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(excluded)}`);
   expect(median, 'median').to.be.below(1e-5);
@@ -46,7 +45,8 @@ describe('GPU against reference', function () {
   this.timeout(60_000);
 
   for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'studio']) {
-    it(`draws ${name} alike`, async () => agree(name, await sceneFile(name), name === 'classic' ? 10 : 6));
+    it(`draws ${name} alike`, async () =>
+      name === 'classic' ? agree(name, await sceneFile(name), 10, 4) : agree(name, await sceneFile(name)));
   }
 
   const ball = { type: 'sphere', center: [0, 0, 0], radius: 1 };
@@ -111,6 +111,7 @@ describe('GPU against reference', function () {
         { type: 'plane', point: [0, -1, 0], metalness: 1, color: '#c85' },
       ],
     },
+    'a checkered ball': { camera, lights: [lamp], objects: [{ ...ball, checker: 'black', checkerSize: 0.3 }, floor] },
     'nothing at all': { background: 'teal' },
     'more objects and lights than are written out one by one': {
       camera: { position: [0, 3, 9] },

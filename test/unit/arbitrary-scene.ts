@@ -13,8 +13,9 @@ const byKind = {
   name: fc.constantFrom('a', 'b', 'ball'),
 };
 
+/** A number as people write it: with few digits, and 0 where it is next to nothing. */
 function round(x: number): number {
-  return Number(x.toPrecision(6));
+  return Math.abs(x) < 1e-6 ? 0 : Number(x.toPrecision(6));
 }
 
 /** A value that a field accepts, in its JSON form. */

@@ -85,7 +85,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
   [
     'a number that is a word',
     { camera: { fov: 'wide' } },
-    ['camera: fov must be a number above 0 and at most 179, not "wide"'],
+    ['camera: fov must be a number from 0.000001 to 179, not "wide"'],
   ],
   [
     'a missing material',

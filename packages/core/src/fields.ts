@@ -74,6 +74,9 @@ interface NumberOptions<D> extends Options<number, D> {
 /** Lengths stay below this, so that their fourth powers are numbers in f64. */
 export const LARGEST_LENGTH = 1e60;
 
+/** What is nearer to 0 is 0, so that squares of what is not are not either. */
+const SMALLEST_LENGTH = 1e-60;
+
 const NUMBER_TEXT = /^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$/;
 
 /** A number, or its text. */
@@ -102,8 +105,11 @@ export function number<D extends number | undefined = undefined>(
   });
 }
 
-const readNumber = (value: unknown): number | undefined =>
-  typeof value === 'number' ? value : typeof value === 'string' && NUMBER_TEXT.test(value) ? Number(value) : undefined;
+function readNumber(value: unknown): number | undefined {
+  const number = typeof value === 'string' && NUMBER_TEXT.test(value) ? Number(value) : value;
+  if (typeof number !== 'number') return undefined;
+  return Math.abs(number) < SMALLEST_LENGTH ? 0 : number;
+}
 
 interface VectorOptions<D> extends Options<Vec3, D> {
   /** Refuses the vector of zeros, which has no direction. */

@@ -1,4 +1,5 @@
 /** The shader files by their names under `shaders/`: the one place that imports them. */
+import arcTangent from '../../../shaders/arc-tangent.glsl';
 import camera from '../../../shaders/camera.glsl';
 import constants from '../../../shaders/constants.glsl';
 import direct from '../../../shaders/direct.glsl';
@@ -16,6 +17,7 @@ import trace from '../../../shaders/trace.frag.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
 
 export const glslFiles: { readonly [file: string]: string } = {
+  'arc-tangent.glsl': arcTangent,
   'camera.glsl': camera,
   'constants.glsl': constants,
   'direct.glsl': direct,

@@ -135,7 +135,9 @@ export function mergeRequirements(a: Requirements, b: Requirements): Requirement
       [P in K]: number;
     };
   const shapes = largest(a.shapes, b.shapes);
-  const together = features.filter((feature) => a.features.includes(feature) || b.features.includes(feature));
+  // Of what is behind the objects there is but one.
+  const stays = (feature: Feature): boolean => !feature.startsWith('background') && a.features.includes(feature);
+  const together = features.filter((feature) => b.features.includes(feature) || stays(feature));
   return {
     bounces: b.bounces,
     shapes,

@@ -21,7 +21,7 @@ export const camera = {
       'What it looks at; default: the middle of the objects if it has no position either, else the origin.',
     ),
     up: vector('The direction that is up in the picture.', { default: [0, 1, 0], nonzero: true }),
-    fov: number('Vertical field of view, in degrees.', { default: 45, above: 0, max: 179 }),
+    fov: number('Vertical field of view, in degrees.', { default: 45, min: 1e-6, max: 179 }),
   },
 } satisfies NodeTable;
 

@@ -4,7 +4,7 @@
  * `indexed-objects.ts` for the same functions over many objects.
  */
 import { structName } from './pack-scene.ts';
-import { type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
@@ -102,7 +102,7 @@ ${exclusive.join('\n')}
 }
 
 function occlusionGlsl(parts: readonly Part[]): string {
-  const solids = parts.filter(({ kind }) => kind !== 'plane');
+  const solids = parts.filter(({ kind }) => primitives[kind].occludes(1));
   const occlusions = solids.map(({ name, kind }) => `${kind}Occlusion(scene.${name}, from.${name}, d, limit)`);
   return `float occlusion(Parts scene, From from, vec3 d, float limit) {
   return ${occlusions.reduce((a, b) => `max(${a}, ${b})`)};

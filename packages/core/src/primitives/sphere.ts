@@ -4,7 +4,7 @@ import { length, subtract, type Vec3 } from '../vector.ts';
 import { definePrimitive } from './primitive.ts';
 
 export const sphere = definePrimitive({
-  doc: 'A ball.',
+  doc: 'A ball. U is the arc from the meridian of +z towards +x, V that from the pole at +y downwards.',
   fields: {
     center: vector('Centre.', { default: [0, 0, 0] }),
     radius: number('Radius.', { default: 1, above: 0 }),
@@ -14,8 +14,9 @@ export const sphere = definePrimitive({
     { name: 'radius2', type: 'float' },
     { name: 'curvature', type: 'float' },
     { name: 'power', type: 'float' },
+    { name: 'cells', type: 'float', when: 'sphereChecker' },
   ],
-  pack({ center, radius }, frame, { side }) {
+  pack({ center, radius }, frame, { side, checkerSize }) {
     const c = toFrame(frame, center);
     const r = radius * frame.scale;
     const distance = length(c);
@@ -26,9 +27,11 @@ export const sphere = definePrimitive({
       curvature: side / r,
       // The camera's power, |c|² - r², as a product: nothing large cancels next to a planet's surface.
       power: (distance - r) * (distance + r),
+      // Cells along one radian.
+      cells: radius / checkerSize,
     };
   },
-  absent: { center: [0, 0, 0], radius2: 0, curvature: 0, power: 0 },
+  absent: { center: [0, 0, 0], radius2: 0, curvature: 0, power: 0, cells: 0 },
   bounds: ({ center, radius }) => ({
     min: center.map((x) => x - radius) as unknown as Vec3,
     max: center.map((x) => x + radius) as unknown as Vec3,
