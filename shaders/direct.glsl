@@ -93,5 +93,5 @@ vec4 direct(vec3 d) {
   from = fromPoint(scene, p);
   radiance = lightFrom(scene, from, surfaceAt(scene, from, hit, p, d), p, d);
 #endif
-  return mix(behind, vec4(radiance, 1.0), bvec4(seen));
+  return mix(behind, vec4(min(radiance, vec3(LARGEST)), 1.0), bvec4(seen));
 }

@@ -37,12 +37,12 @@ Lit pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec3
   vec3 l = light.position - p;
   float distance2 = dot(l, l);
   float distance = sqrt(distance2);
-  l /= distance;
+  l /= max(distance, SMALLEST);
   float strength = 1.0;
 #if defined(MIXED_FALLOFF)
-  strength /= mix(1.0, distance2, light.decays);
+  strength /= mix(1.0, max(distance2, SMALLEST), light.decays);
 #elif defined(FALLOFF)
-  strength /= distance2;
+  strength /= max(distance2, SMALLEST);
 #endif
 #ifdef SHADOWS
   strength *= step(occlusion(scene, from, l, distance), 0.0);

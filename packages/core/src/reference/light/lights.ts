@@ -20,7 +20,8 @@ export function lightArriving(light: Light, position: Vec3): Arriving {
   const toLight = subtract(light.position, position);
   const distance = length(toLight);
   return {
-    direction: scale(toLight, 1 / distance),
+    // At the light itself no side of a surface faces it.
+    direction: scale(toLight, distance > 0 ? 1 / distance : 0),
     distance,
     irradiance: scale(light.color, light.intensity / (light.decay === 2 ? distance * distance : 1)),
   };
