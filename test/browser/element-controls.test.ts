@@ -142,7 +142,7 @@ describe('camera-controls', () => {
     const element = await controlled();
     expect(() => {
       element.camera = { fov: -1 };
-    }).to.throw('camera: fov must be a number above 0 and at most 179, not -1');
+    }).to.throw('camera: fov must be a number from 0.000001 to 179, not -1');
   });
 });
 

@@ -45,7 +45,7 @@ const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields
 /** Takes away fields that contradict each other; what is left is a valid node. */
 function consistent(node: Json): Json {
   const { direction, position, target, tangent, up, ...rest } = node;
-  if (node['type'] !== 'directional') return node['type'] === 'plane' ? { ...rest } : node;
+  if (node.type !== 'directional') return node.type === 'plane' ? { ...rest } : node;
   return direction ? { ...rest, direction } : rest;
 }
 

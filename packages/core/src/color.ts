@@ -6,18 +6,20 @@
 import { colorsNamed } from 'culori/fn';
 import type { Vec3 } from './vector.ts';
 
+export const colorNames: readonly string[] = Object.keys(colorsNamed);
+
 /** How far outside [0, 1] rounding may carry a colour that is meant to lie on the border of the gamut. */
 const GAMUT_ROUNDING = 2 ** -13;
 
 /**
  * Reads a CSS colour: a name, hex, `rgb()`, `hsl()`, `oklch()`, `color(srgb …)` or `color(srgb-linear …)`.
- * Returns linear Rec. 709 in [0, 1]³, or what is wrong with it in words.
+ * Returns linear Rec. 709 in [0, 1]³, what is wrong with it in words, or undefined for what is no colour at all.
  */
-export function readColor(text: string): Vec3 | string {
+export function readColor(text: string): Vec3 | string | undefined {
   const color = text.trim().toLowerCase();
   const named: number | undefined = Object.hasOwn(colorsNamed, color) ? colorsNamed[color as 'red'] : undefined;
   const read = named === undefined ? (readHex(color) ?? readFunction(color)) : readHex(`#${hex6(named)}`);
-  if (!read) return 'is not a colour';
+  if (!read) return undefined;
   if (read.alpha !== 1) return 'has an alpha; use the opaque colour';
   if (read.linear.some((channel) => !(channel >= -GAMUT_ROUNDING && channel <= 1 + GAMUT_ROUNDING))) {
     return 'is outside the sRGB gamut';

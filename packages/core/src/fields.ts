@@ -1,5 +1,5 @@
 /** Kinds of fields: how each is read from JSON or from the text of an attribute, and how its JSON Schema looks. */
-import { readColor } from './color.ts';
+import { colorNames, readColor } from './color.ts';
 import { nearestWord } from './nearest-word.ts';
 import type { Vec3 } from './vector.ts';
 
@@ -15,12 +15,34 @@ export interface Limits {
   readonly choices?: readonly (string | number)[];
 }
 
-/** What a value should have been: `a number above 0`. Returned instead of a value that cannot be read. */
+/** What a value should have been: `must be a number above 0`. Returned instead of a value that cannot be read. */
 export class Mismatch {
   readonly message: string;
-  constructor(message: string) {
+  /** What to say after the value that was found: ` (did you mean "red"?)`. */
+  readonly hint: string;
+
+  constructor(message: string, hint = '') {
     this.message = message;
+    this.hint = hint;
   }
+
+  /** The whole sentence, for a field as it is spelt and the value that was found. */
+  sentence(field: string, found: unknown): string {
+    return `${field} ${this.message}, not ${shown(found)}${this.hint}`;
+  }
+}
+
+/** A value as its author would recognise it, cut where it is long. */
+export function shown(value: unknown): string {
+  const text =
+    typeof value === 'number' || value === undefined ? String(value) : (JSON.stringify(value) ?? String(value));
+  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
+}
+
+/** ` (did you mean "red"?)`, or nothing when no word is near. */
+export function suggestion(typed: unknown, words: Iterable<string>): string {
+  const near = typeof typed === 'string' ? nearestWord(typed, words) : undefined;
+  return near ? ` (did you mean "${near}"?)` : '';
 }
 
 /** By the name of a shader feature: whether a value needs it. */
@@ -162,9 +184,9 @@ export function color<D extends Vec3 | undefined = undefined>(
           ? rgb
           : new Mismatch(`must be three numbers from 0${options.light ? '' : ' to 1'}`);
       }
-      if (typeof value !== 'string') return new Mismatch(expected);
-      const rgb = readColor(value);
-      return typeof rgb === 'string' ? new Mismatch(`${expected}; this ${rgb}`) : Object.freeze(rgb);
+      const rgb = typeof value === 'string' ? readColor(value) : undefined;
+      if (typeof rgb === 'string') return new Mismatch(expected, `, which ${rgb}`);
+      return rgb ? Object.freeze(rgb) : new Mismatch(expected, suggestion(value, colorNames));
     },
     limits: { max: options.light ? undefined : 1 },
   });
@@ -181,8 +203,7 @@ export function choice<const C extends string | number>(
   return field('choice', doc, options, {
     read: (value) => {
       const index = typeof value === 'string' || typeof value === 'number' ? words.indexOf(String(value)) : -1;
-      const near = typeof value === 'string' ? nearestWord(value, words) : undefined;
-      return choices[index] ?? new Mismatch(`must be ${allowed}${near ? ` (did you mean "${near}"?)` : ''}`);
+      return choices[index] ?? new Mismatch(`must be ${allowed}`, suggestion(value, words));
     },
     limits: { choices },
   });

@@ -2,7 +2,7 @@
 export { type AssembledGlsl, assembleGlsl, type GlslSources } from './assemble-glsl.ts';
 export { builtInMaterials } from './built-in-materials.ts';
 export { type CameraFrame, cameraAxes, cameraFrame, type ResolvedCamera, rayDirection } from './camera-frame.ts';
-export { type Field, type Fields, type Limits, Mismatch, type Values } from './fields.ts';
+export { type Field, type Fields, type Limits, Mismatch, suggestion, type Values } from './fields.ts';
 export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
 export { glslFiles } from './glsl-files.ts';

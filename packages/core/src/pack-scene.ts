@@ -61,7 +61,7 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const writer = new BlockWriter(block);
   const indexed = required.features.includes('indexed');
   const material = (index: number) => packMaterial(scene.materials[index] as Material);
-  if (indexed) scene.materials.forEach((_, i) => writer.write('materials', i, material(i)));
+  if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;
   for (const kind of shapeKinds) {
     const ofKind = scene.objects.filter(({ shape }) => shape.type === kind);

@@ -1,8 +1,7 @@
 /** Scenes from strangers: JSON text, plain objects or what markup was read into, all through one validator. */
 import { builtInMaterials } from './built-in-materials.ts';
 import { contradiction } from './contradictions.ts';
-import { color, type Fields, Mismatch } from './fields.ts';
-import { nearestWord } from './nearest-word.ts';
+import { color, type Fields, Mismatch, shown, suggestion } from './fields.ts';
 import { primitives } from './primitives/index.ts';
 import { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
 import {
@@ -90,9 +89,9 @@ class SceneParser {
       ...this.#optional('environment', root, (path, value) => this.#node(path, value, environment, 'environment')),
       ...this.#optional('background', root, (path, value) => this.#background(path, value)),
       lights: this.#list(root, 'lights', (path, value) => this.#variant(path, value, lights, 'light') as Light),
-      materials: this.#materials(root['materials']),
+      materials: this.#materials(root.materials),
       objects: this.#list(root, 'objects', (path, value) => this.#sceneObject(path, value)),
-      ...(root['extras'] === undefined ? {} : { extras: structuredCloneOf(root['extras']) }),
+      ...(root.extras === undefined ? {} : { extras: structuredCloneOf(root.extras) }),
     };
     this.#materialNames(scene as Scene);
     return scene as Scene;
@@ -128,7 +127,7 @@ class SceneParser {
       const value = raw[name];
       const read = value === undefined ? (given ? undefined : field.default) : field.read(value);
       if (read instanceof Mismatch) {
-        this.#report([...path, name], `${this.#words.spell(name)} ${read.message}, not ${shown(value)}`, path);
+        this.#report([...path, name], read.sentence(this.#words.spell(name), value), path);
       } else if (read !== undefined) values[name] = read;
     }
     return values;
@@ -155,7 +154,7 @@ class SceneParser {
     if (!raw) return undefined;
     const own: { [name: string]: unknown } = {};
     const shape: { [name: string]: unknown } = {};
-    const kind = primitives[raw['type'] as keyof typeof primitives];
+    const kind = primitives[raw.type as keyof typeof primitives];
     for (const [key, value] of Object.entries(raw)) {
       (kind && !(key in kind.fields) && (key in objectFields || key in material.fields) ? own : shape)[key] = value;
     }
@@ -192,11 +191,8 @@ class SceneParser {
     if (value === 'environment' || value === 'transparent') return value;
     const read = backgroundColor.read(value);
     if (!(read instanceof Mismatch)) return read;
-    this.#report(
-      path,
-      `background must be "environment", "transparent" or a colour: ${read.message}, not ${shown(value)}`,
-      [],
-    );
+    const problem = new Mismatch(`must be "environment", "transparent" or a colour`, read.hint);
+    this.#report(path, problem.sentence('background', value), []);
     return undefined;
   }
 
@@ -253,18 +249,6 @@ const objectTables: { readonly [kind: string]: NodeTable } = primitives;
 const article = (label: string): string => `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
 
 const capitalized = (text: string): string => text[0]?.toUpperCase() + text.slice(1);
-
-function suggestion(typed: unknown, words: readonly string[]): string {
-  const near = typeof typed === 'string' ? nearestWord(typed, words) : undefined;
-  return near ? ` (did you mean "${near}"?)` : '';
-}
-
-/** A value as its author would recognise it, cut where it is long. */
-function shown(value: unknown): string {
-  const text =
-    typeof value === 'number' || value === undefined ? String(value) : (JSON.stringify(value) ?? String(value));
-  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
-}
 
 const structuredCloneOf = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 

@@ -164,8 +164,8 @@ function nodeFeatures({ lights: nodes, materials }: ResolvedScene): string[] {
 
 function switchedOn(fields: { readonly [name: string]: Field<unknown> }, node: object): string[] {
   return Object.entries(fields).flatMap(([name, field]) => {
-    const value = (node as { readonly [name: string]: {} | undefined })[name];
-    return value === undefined ? [] : [...field.features(value)];
+    const value = (node as { readonly [name: string]: unknown })[name];
+    return value === undefined || value === null ? [] : [...field.features(value)];
   });
 }
 

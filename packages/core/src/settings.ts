@@ -1,6 +1,5 @@
 /** How a scene is rendered, as opposed to what it is: the same kind of table as the scene's own. */
-import { choice, Mismatch, number, type Values } from './fields.ts';
-import { nearestWord } from './nearest-word.ts';
+import { choice, Mismatch, number, suggestion, type Values } from './fields.ts';
 import { SceneError } from './scene-error.ts';
 
 export const settingsFields = {
@@ -42,13 +41,10 @@ export function parseSettings(given: { readonly [name: string]: unknown } = {}):
   const names = fields.map(([name]) => name);
   const problems = Object.keys(given)
     .filter((name) => !names.includes(name))
-    .map((name) => {
-      const near = nearestWord(name, names);
-      return problem(name, `unknown setting "${name}"${near ? ` (did you mean "${near}"?)` : ''}`);
-    });
+    .map((name) => problem(name, `unknown setting "${name}"${suggestion(name, names)}`));
   const values = fields.map(([name, field]) => {
     const value = given[name] === undefined ? field.default : field.read(given[name]);
-    if (value instanceof Mismatch) problems.push(problem(name, `${name} ${value.message}, not "${given[name]}"`));
+    if (value instanceof Mismatch) problems.push(problem(name, value.sentence(name, given[name])));
     return [name, value];
   });
   if (problems.length > 0) throw new SceneError(problems);

@@ -120,7 +120,8 @@ export function writeStruct(
       // A float takes the first component of a colour: it is there where all of them are equal.
       const components = [value].flat().slice(0, TYPES[member.type].size / 4);
       components.forEach((component, i) => {
-        view.setFloat32(at + 4 * i, component, true);
+        // A zero has no sign here: which one rounding gave it must not make a difference in the bits.
+        view.setFloat32(at + 4 * i, component + 0, true);
       });
     }
   }

@@ -1,11 +1,11 @@
 import { ReactiveElement } from '@lit/reactive-element';
 import {
   Mismatch,
-  nearestWord,
   type Problem,
   parseSettings,
   type RenderSettings,
   settingsFields,
+  suggestion,
 } from '@ray-scene/core';
 import type { RaySceneEvents } from './events.ts';
 import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
@@ -36,20 +36,17 @@ class LitSettingsElement extends ReactiveElement implements FieldHost {
     const known = (this.constructor as typeof LitSettingsElement).observedAttributes;
     const where = this.localName;
     const unknown = unknownAttributes(this, known).map((name) => {
-      const near = nearestWord(name, known);
-      const meant = near ? ` (did you mean "${near}"?)` : '';
       return {
         path: [],
         where,
-        message: `unknown attribute "${name}"${meant}. A ${where} takes: ${known.join(', ')}.`,
+        message: `unknown attribute "${name}"${suggestion(name, known)}. A ${where} takes: ${known.join(', ')}.`,
       };
     });
     const unreadable = Object.entries(settingsFields).flatMap(([name, field]) => {
       const value = this.given[name];
       const read = value === undefined ? undefined : field.read(value);
       if (!(read instanceof Mismatch)) return [];
-      const found = typeof value === 'string' ? `"${value}"` : String(value);
-      return [{ path: [], where, message: `${attributeOf(name)} ${read.message}, not ${found}` }];
+      return [{ path: [], where, message: read.sentence(attributeOf(name), value) }];
     });
     return [...unknown, ...unreadable];
   }
