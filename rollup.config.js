@@ -3,17 +3,19 @@ import { readFileSync, rmSync } from 'node:fs';
 import { brotliCompressSync } from 'node:zlib';
 import { nodeResolve } from '@rollup/plugin-node-resolve';
 import terser from '@rollup/plugin-terser';
+import { transformSync } from 'esbuild';
 import { dts } from 'rollup-plugin-dts';
 import { compileTypeScript, textModule } from './test/node/compile.mjs';
+import './test/node/register.mjs';
 
 const manifest = (folder) => JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
 
-/** Comments, indentation and trailing spaces go; every line stays where it is, as `#line` directives count them. */
+/** Comments and needless blanks and zeros go; every line stays where it is, as messages about shaders count them. */
 function stripGlsl(text) {
   return text
-    .replace(/\/\*[\s\S]*?\*\//g, (comment) => ` ${comment.replace(/[^\n]/g, '')}`)
     .replace(/\/\/.*/g, '')
-    .replace(/^[ \t]+|[ \t\r]+$/gm, '');
+    .replace(/^[ \t]+|[ \t\r]+$/gm, '')
+    .replace(/^[^#\n].*$/gm, (line) => line.replace(/ ?([=*/<>(),;{}?:]) ?/g, '$1').replace(/(\d\.)0\b/g, '$1'));
 }
 
 /**
@@ -27,6 +29,12 @@ const withoutDocs = {
     const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc: )(['"]).*?(?<!\\)\1/gs;
     return { code: code.replace(text, "''"), map: null };
   },
+};
+
+/** Gives private names one letter, which terser does not. */
+const shortPrivateNames = {
+  name: 'short-private-names',
+  renderChunk: (code) => ({ code: transformSync(code, { minify: true, target: 'es2022' }).code, map: null }),
 };
 
 const sources = {
@@ -59,14 +67,24 @@ function onLog(level, log, handle) {
   handle(level === 'warn' ? 'error' : level, log);
 }
 
-function modules(folder, input) {
+/** The JSON Schema of scene files, for editors. */
+const schemaFile = {
+  name: 'schema-file',
+  async generateBundle() {
+    const { sceneJsonSchema } = await import('./packages/core/src/json-schema.ts');
+    const source = `${JSON.stringify(sceneJsonSchema(), undefined, 2)}\n`;
+    this.emitFile({ type: 'asset', fileName: 'scene.schema.json', source });
+  },
+};
+
+function modules(folder, input, ...more) {
   const dependencies = Object.keys(manifest(folder).dependencies);
   const external = (id) => dependencies.some((name) => id === name || id.startsWith(`${name}/`));
   // Without hoisting, an entry imports what it uses itself, not what its chunks use.
   const output = { dir: `${folder}/dist`, chunkFileNames: '[name].js', hoistTransitiveImports: false };
   const types = dts({ tsconfig: `${folder}/tsconfig.json` });
   return [
-    { input, output, external, onLog, plugins: [nodeResolve(), sources, sizes(folder)] },
+    { input, output, external, onLog, plugins: [nodeResolve(), sources, sizes(folder), ...more] },
     { input, output: { ...output, chunkFileNames: '[name].d.ts' }, external, onLog, plugins: [types] },
   ];
 }
@@ -85,6 +103,7 @@ function oneFile(folder, name, input, others = '') {
       nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
       withoutDocs,
       sources,
+      shortPrivateNames,
       terser({ module: true, ecma: 2020, compress: { passes: 3 }, format: { comments: /^!/ } }),
       sizes(folder),
     ],
@@ -95,10 +114,11 @@ for (const folder of ['packages/core', 'packages/ray-scene'])
   rmSync(`${folder}/dist`, { recursive: true, force: true });
 
 export default [
-  ...modules('packages/core', {
-    index: 'packages/core/src/index.ts',
-    reference: 'packages/core/src/reference/index.ts',
-  }),
+  ...modules(
+    'packages/core',
+    { index: 'packages/core/src/index.ts', reference: 'packages/core/src/reference/index.ts' },
+    schemaFile,
+  ),
   ...modules('packages/ray-scene', {
     index: 'packages/ray-scene/src/index.ts',
     element: 'packages/ray-scene/src/element.ts',
