@@ -14,16 +14,10 @@ export { parseScene, type SourceWords } from './parse-scene.ts';
 export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 export { pixelSample } from './random.ts';
 export { type Intersection, intersect } from './reference/intersect.ts';
-export {
-  type Feature,
-  features,
-  mergeRequirements,
-  type Requirements,
-  requirements,
-  requirementsKey,
-} from './requirements.ts';
+export { mergeRequirements, type Requirements, requirements, requirementsKey } from './requirements.ts';
 export { type ResolvedScene, resolveScene } from './resolve-scene.ts';
 export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
+export { type Feature, features } from './scene-needs.ts';
 export * from './schema.ts';
 export { serializeScene } from './serialize-scene.ts';
 export { parseSettings, type RenderSettings, settingsFields } from './settings.ts';

@@ -1,0 +1,144 @@
+/** What the nodes of a scene need by themselves, before it is asked what follows from all of them together. */
+import type { Field } from './fields.ts';
+import { primitiveOf, primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { planeAxes } from './primitives/plane.ts';
+import type { ResolvedScene } from './resolve-scene.ts';
+import { type LightKind, lightKinds, lights, material, type Shape } from './schema.ts';
+
+/** Everything that a shader may or may not hold. In GLSL, each is a name to ask for by `#if`. */
+export const features = [
+  'metal',
+  'dielectric',
+  'specular',
+  'specularTint',
+  'specularWeight',
+  'falloff',
+  'noFalloff',
+  'sphereChecker',
+  'planeChecker',
+  'tiltedPlane',
+  'turnedChecker',
+  // Derived from the whole scene:
+  'mixedFalloff',
+  'checker',
+  'reflective',
+  'highlights',
+  'reflections',
+  'severalLights',
+  'shadows',
+  'inside',
+  'closeUp',
+  'indexed',
+  'environment',
+  'gradient',
+  'backgroundColor',
+  'backgroundEnvironment',
+] as const;
+
+export type Feature = (typeof features)[number];
+
+export interface SceneNeeds {
+  /** The most surfaces that a ray meets. */
+  readonly bounces: number;
+  readonly shapes: { readonly [K in ShapeKind]: number };
+  readonly lights: { readonly [K in LightKind]: number };
+  /** Different ones. */
+  readonly materials: number;
+  /** Those that follow from nothing else. */
+  readonly features: ReadonlySet<Feature>;
+}
+
+/** The needs of a scene, when rays may meet up to `bounces` surfaces. */
+export function sceneNeeds(scene: ResolvedScene, bounces: number): SceneNeeds {
+  const facts: { readonly [F in Feature]?: boolean } = {
+    inside: scene.objects.some(
+      ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
+    ),
+    closeUp: isCloseUp(scene),
+    tiltedPlane: planesOf(scene).some((plane) => Math.abs(planeAxes(plane).normal[1]) !== 1),
+    turnedChecker: planesOf(scene).some((plane) => !isAlongAxes(plane)),
+    environment: !!scene.environment,
+    gradient: scene.environment?.kind === 'gradient',
+    backgroundEnvironment: scene.background === 'environment' && !!scene.environment,
+    backgroundColor: typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment),
+  };
+  const present = [...nodeFeatures(scene), ...checkers(scene)];
+  return {
+    bounces,
+    shapes: counts(shapeKinds, kindsOrNone(scene)),
+    lights: counts(
+      lightKinds,
+      scene.lights.map(({ type }) => type),
+    ),
+    materials: scene.materials.length,
+    features: new Set(features.filter((feature) => facts[feature] || present.includes(feature))),
+  };
+}
+
+/** What serves both. Of what is behind the objects there is but one: that of the second. */
+export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
+  const stays = [...a.features].filter((feature) => !feature.startsWith('background'));
+  return {
+    bounces: b.bounces,
+    shapes: largest(a.shapes, b.shapes),
+    lights: largest(a.lights, b.lights),
+    materials: Math.max(a.materials, b.materials),
+    features: new Set([...b.features, ...stays]),
+  };
+}
+
+/** Whether a kind can stand between two points outside of it. */
+export const isSolid = (kind: ShapeKind): boolean => primitives[kind].occludes(1);
+
+const planesOf = ({ objects }: ResolvedScene): readonly Shape<'plane'>[] =>
+  objects.map(({ shape }) => shape).filter((shape) => shape.type === 'plane') as Shape<'plane'>[];
+
+/** Whether U runs along x and V along -z, as on a floor whose tangent is left out. */
+function isAlongAxes(plane: Shape<'plane'>): boolean {
+  const { tangent, bitangent } = planeAxes(plane);
+  return tangent[0] === 1 && bitangent[2] === -1;
+}
+
+/** How much larger than another object a sphere may be before f32 cannot tell where on it that object stands. */
+const CLOSE_UP = 2 ** 10;
+
+/** Whether small things lie about on a sphere as large as a planet. */
+function isCloseUp({ objects }: ResolvedScene): boolean {
+  const radii = objects.flatMap(({ shape }) => (shape.type === 'sphere' ? [(shape as Shape<'sphere'>).radius] : []));
+  return Math.max(...radii) >= CLOSE_UP * Math.min(...radii);
+}
+
+/** The kinds of all objects. GLSL knows no empty struct, so a scene without objects holds the place of one. */
+const kindsOrNone = ({ objects }: ResolvedScene): readonly ShapeKind[] =>
+  objects.length > 0 ? objects.map(({ shape }) => shape.type) : ['sphere'];
+
+/** The features that the table of fields names for the values of this scene. */
+function nodeFeatures({ lights: nodes, materials }: ResolvedScene): string[] {
+  return [
+    ...nodes.flatMap((node) => switchedOn(lights[node.type].fields, node)),
+    ...materials.flatMap((node) => switchedOn(material.fields, node)),
+  ];
+}
+
+function switchedOn(fields: { readonly [name: string]: Field<unknown> }, node: object): string[] {
+  return Object.entries(fields).flatMap(([name, field]) => {
+    const value = (node as { readonly [name: string]: unknown })[name];
+    return value === undefined || value === null ? [] : [...field.features(value)];
+  });
+}
+
+const checkers = ({ objects, materials }: ResolvedScene): Feature[] =>
+  objects.filter((object) => materials[object.material]?.checker).map(({ shape }) => `${shape.type}Checker` as const);
+
+const counts = <K extends string>(kinds: readonly K[], found: readonly K[]): { readonly [P in K]: number } =>
+  Object.fromEntries(kinds.map((kind) => [kind, found.filter((one) => one === kind).length])) as {
+    [P in K]: number;
+  };
+
+const largest = <K extends string>(
+  a: { readonly [P in K]: number },
+  b: { readonly [P in K]: number },
+): { readonly [P in K]: number } =>
+  Object.fromEntries(Object.keys(a).map((kind) => [kind, Math.max(a[kind as K], b[kind as K])])) as {
+    [P in K]: number;
+  };
