@@ -30,8 +30,7 @@ vec4 background(Parts scene, vec3 d) {
 vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
   vec3 light = vec3(0.0);
 #ifdef LIGHTS
-  Lit lit = lightAt(scene, from, s, p, d);
-  light += s.material.color * lit.diffuse + lit.specular;
+  light += lightAt(scene, from, s, p, d);
 #endif
 #if defined(ENVIRONMENT) && defined(DIELECTRIC)
   vec3 irradiance = environmentIrradiance(scene.surroundings, s.normal);
@@ -73,10 +72,11 @@ vec4 direct(vec3 d) {
 #endif
     from = fromPoint(scene, p);
     Surface s = surfaceAt(scene, from, hit, p, d);
+    // Over |n|², so that d keeps its length to the last bit: else an error of it would grow eightfold with each bounce.
+    vec3 mirrored = d + (2.0 * s.nv / dot(s.normal, s.normal)) * s.normal;
     radiance += throughput * lightFrom(scene, from, s, p, d);
     throughput *= fresnel(s.material, schlickWeight(s.nv));
-    // Over |n|², so that d keeps its length to the last bit: else an error of it would grow eightfold with each bounce.
-    d += (2.0 * s.nv / dot(s.normal, s.normal)) * s.normal;
+    d = mirrored;
     hit = nearest(scene, from, d, hit);
     p += hit.t * d;
 #ifdef INDEXED

@@ -1,39 +1,27 @@
 // The light that point and directional lights send to the eye by way of a surface. The 1 / pi of every BRDF is already
 // in the packed intensities.
 
-// What is to be multiplied by the base colour, and what leaves without having been under the surface.
-struct Lit {
-  vec3 diffuse;
-  vec3 specular;
-};
-
-#ifdef SEVERAL_LIGHTS
-Lit both(Lit a, Lit b) {
-  return Lit(a.diffuse + b.diffuse, a.specular + b.specular);
-}
-#endif
-
-// Light that arrives along -l, `strength` times as strong as `color`: BRDF times cosine, or 0 from behind the surface.
-Lit scattered(vec3 color, float strength, Surface s, vec3 l, vec3 d) {
+// Light that arrives along -l, `strength` times as strong as `color`, times BRDF and cosine; 0 from behind the surface.
+vec3 scattered(vec3 color, float strength, Surface s, vec3 l, vec3 d) {
   float nl = max(dot(s.normal, l), 0.0);
   float received = strength * nl;
 #ifdef HIGHLIGHTS
   vec3 h = l - d;
   float weight = schlickWeight(0.5 * sqrt(dot(h, h)));
   float lobe = received * ggxLobe(s.material.alpha2, s.normal, h, nl, s.nv);
-  vec3 specular = (lobe * fresnel(s.material, weight)) * color;
+  Reflectance specular = lobe * fresnel(s.material, weight);
 #ifdef DIELECTRIC
-  return Lit((received * diffuseShare(s.material, weight)) * color, specular);
+  return (s.material.color * (received * diffuseShare(s.material, weight)) + specular) * color;
 #else
-  return Lit(vec3(0.0), specular);
+  return specular * color;
 #endif
 #else
-  return Lit(received * color, vec3(0.0));
+  return (s.material.color * received) * color;
 #endif
 }
 
 #ifdef POINT_LIGHTS
-Lit pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
+vec3 pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
   vec3 l = light.position - p;
   float distance2 = dot(l, l);
   float distance = sqrt(distance2);
@@ -52,7 +40,7 @@ Lit pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec3
 #endif
 
 #ifdef DIRECTIONAL_LIGHTS
-Lit directionalLight(DirectionalLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
+vec3 directionalLight(DirectionalLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
   float strength = 1.0;
 #ifdef SHADOWS
   strength *= step(occlusion(scene, from, light.toLight, MISS), 0.0);

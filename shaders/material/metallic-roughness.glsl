@@ -16,7 +16,8 @@
 #ifdef REFLECTIVE
 // (1 - cos)^5, the weight of Schlick's approximation.
 float schlickWeight(float cosine) {
-  float m = 1.0 - cosine;
+  // Rounding may carry a cosine above 1.
+  float m = max(1.0 - cosine, 0.0);
   float m2 = m * m;
   return m2 * m2 * m;
 }

@@ -1,6 +1,6 @@
-// Ray against plane: t = height / -(n·d). The normal points to the camera's side, where all rays are; so the plane is
-// met where n·d < 0, and nothing that it could hide is ever lit (see `dimmed` in pack-scene.ts). Level planes, with a
-// normal of (0, ±1, 0), get by with a sign.
+// Ray against plane: t = height / (down·d), `down` being the unit vector from the camera's side, where all rays are, into
+// the plane. So the plane is met where down·d > 0, and nothing that it could hide is ever lit (see `dimmed` in
+// pack-scene.ts). Level planes get by with the y component, a sign.
 
 // What all rays from a point share: its height above the plane.
 struct PlaneFrom {
@@ -9,32 +9,35 @@ struct PlaneFrom {
 
 PlaneFrom planeFrom(Plane s, vec3 o) {
 #ifdef TILTED_PLANE
-  return PlaneFrom(dot(s.normal, o) - s.offset);
+  return PlaneFrom(s.height - dot(s.down, o));
 #else
-  return PlaneFrom(s.facing * o.y - s.offset);
+  return PlaneFrom(s.height - s.downY * o.y);
 #endif
 }
 
 PlaneFrom planeFromCamera(Plane s) {
-  return PlaneFrom(-s.offset);
+  return PlaneFrom(s.height);
 }
 
-// The distance to the plane, or MISS. A ray that leaves the plane itself (own = 1) never meets it again.
+// The distance to the plane, or MISS. A ray that leaves the plane itself (own = 1) never meets it again: the sign of y
+// says so where the plane is level, but where it is tilted rounding may turn a ray that just grazes it.
 float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
 #ifdef TILTED_PLANE
-  float approach = -dot(s.normal, d);
+  float approach = dot(s.down, d);
+  bool meets = min(approach, 0.5 - own) > 0.0;
 #else
-  float approach = -s.facing * d.y;
+  float approach = s.downY * d.y;
+  bool meets = approach > 0.0;
 #endif
-  return mix(MISS, from.height / approach, min(approach, 0.5 - own) > 0.0);
+  return mix(MISS, from.height / approach, meets);
 }
 
 // The unit normal times a weight.
 vec3 planeNormal(Plane s, PlaneFrom from, float weight) {
 #ifdef TILTED_PLANE
-  return weight * s.normal;
+  return -weight * s.down;
 #else
-  return vec3(0.0, weight * s.facing, 0.0);
+  return vec3(0.0, -weight * s.downY, 0.0);
 #endif
 }
 
@@ -42,9 +45,9 @@ vec3 planeNormal(Plane s, PlaneFrom from, float weight) {
 // The surface lengths (U, V) along the tangent and along normal × tangent, counted in cells.
 vec2 planeCells(Plane s, vec3 p) {
 #ifdef TURNED_CHECKER
-  return vec2(dot(s.cellU, p) - s.originU, dot(s.cellV, p) - s.originV);
+  return vec2(s.startU + dot(s.cellU, p), s.startV + dot(s.cellV, p));
 #else
-  return vec2(s.perCell * p.x - s.originU, -s.perCell * p.z - s.originV);
+  return vec2(s.startU + s.perCell * p.x, s.startV - s.perCell * p.z);
 #endif
 }
 #endif

@@ -36,16 +36,20 @@ vec2 sphereChord(Sphere s, SphereFrom from, vec3 d) {
   return vec2(b, mix(s.radius2 - dot(aside, aside), b2 - from.power, b2 < s.radius2));
 }
 
-// The distance to the sphere, or MISS. A ray that leaves the sphere itself (own = 1) does not meet it again from
-// outside; from inside, its own root t = 0 is divided out and the other one is left.
+// The distance to the sphere, or MISS. A ray that leaves the sphere itself (own = 1) for the outside has the centre
+// behind it, and does not meet it again; from inside, its own root t = 0 is divided out and the other one is left.
 float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
   vec2 chord = sphereChord(s, from, d);
-  float root = sqrt(max(chord.y, 0.0));
-  float t = mix(MISS, from.power / (chord.x + root), min(min(chord.x, chord.y), 0.5 - own) > 0.0);
+#ifdef INSIDE
+  chord.y = max(chord.y, 0.0);
+#endif
+  // No number where the ray passes by. What `mix` does not select has no effect (GLSL ES 3.00, section 8.3).
+  float root = sqrt(chord.y);
+  float t = mix(MISS, from.power / (chord.x + root), min(chord.x, chord.y) > 0.0);
 #ifdef INSIDE
   float through = chord.x + root;
   float back = mix(-from.power / (root - chord.x), MISS, own > 0.5);
-  t = mix(t, mix(back, through, chord.x > 0.0), s.curvature < 0.0);
+  t = mix(t, mix(back, through, chord.x > 0.0), s.curvature > 0.0);
 #endif
   return t;
 }
@@ -56,7 +60,7 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
   vec2 chord = sphereChord(s, from, d);
   float blocked = min(min(chord.x, limit - chord.x), chord.y);
 #ifdef INSIDE
-  blocked = min(blocked, s.curvature);
+  blocked = min(blocked, -s.curvature);
 #endif
   return blocked;
 }
@@ -64,7 +68,7 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
 
 // The unit normal on the camera's side at a point of the sphere, from what that point shares, times a weight.
 vec3 sphereNormal(Sphere s, SphereFrom from, float weight) {
-  return (-weight * s.curvature) * from.c;
+  return (weight * s.curvature) * from.c;
 }
 
 #ifdef SPHERE_CHECKER

@@ -138,7 +138,9 @@ describe('errors of <ray-scene>', () => {
       `ray-scene: unknown attribute "exposre" (did you mean "exposure"?). A ray-scene takes: ${known}.`,
     );
     expect(quiet.lines[1]).to.equal('ray-scene: bounces must be a whole number from 1 to 64, not "none"');
-    expect(quiet.lines[2]).to.match(/^ray-scene: background must be "environment", "transparent" or a colour: /);
+    expect(quiet.lines[2]).to.match(
+      /^ray-scene: background must be "environment", "transparent" or a colour, not "blurple"/,
+    );
     expect(errors.count).to.equal(1);
     expect(element.bounces).to.equal(6);
   });

@@ -136,14 +136,14 @@ function lightsGlsl({ lights }: Requirements): string {
   const sums = kinds.map(
     (kind) =>
       `  for (int i = 0; i < ${lights[kind]}; i++) {
-    lit = both(lit, ${kind}Light(${kind}Lights[i], scene, from, s, p, d));
+    light += ${kind}Light(${kind}Lights[i], scene, from, s, p, d);
   }`,
   );
   return `#include "light/lights.glsl"
-Lit lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
-  Lit lit = Lit(vec3(0.0), vec3(0.0));
+vec3 lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
+  vec3 light = vec3(0.0);
 ${sums.join('\n')}
-  return lit;
+  return light;
 }
 `;
 }

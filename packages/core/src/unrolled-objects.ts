@@ -1,7 +1,7 @@
 /**
- * The generated part of the shader for scenes of few objects: every object is written out by itself, and which one a ray
- * met is told by weights, 1 for that one and 0 for the others. There is no loop and no table look-up; see
- * `indexed-objects.ts` for the same functions over many objects.
+ * The generated part of the shader for scenes of few objects: every object is written out by itself, and what a ray met
+ * is a sum over all of them with weights, 1 for the object that it met and 0 for the others. There is no loop and no
+ * table look-up; see `indexed-objects.ts` for the same functions over many objects.
  */
 import { structName } from './pack-scene.ts';
 import { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
@@ -73,33 +73,35 @@ From fromCamera(Parts scene) {
 `;
 }
 
+/**
+ * A hit tells of each object whether it is one after that: `after1` is 1 if its number is above 1. Weights are differences
+ * of these, so they add up to 1 whatever the ties; and a loop keeps one number less, which software rasterisers thank.
+ */
 function nearestGlsl(parts: readonly Part[]): string {
-  const weights = parts.map(({ number }) => `w${number}`);
   const distances = parts.map(
     ({ name, kind, number }) =>
-      `  float t${number} = ${kind}Distance(scene.${name}, from.${name}, d, left.w${number});`,
+      `  float t${number} = ${kind}Distance(scene.${name}, from.${name}, d, ${weight('left', number)});`,
   );
-  // Where two are equally near the first takes it all: the weights add up to 1, whatever the ties.
-  const exclusive = parts.map(({ number }) =>
-    number === parts.length - 1
-      ? `  hit.w${number} = rest;`
-      : `  hit.w${number} = min(step(t${number}, hit.t), rest);\n  rest -= hit.w${number};`,
-  );
+  // From here on t1 is the least of t1, t2, …
+  const [last, ...others] = [...parts].reverse() as [Part, ...Part[]];
+  const least = others.map(({ number }) => `  t${number} = min(t${number}, t${number + 1});`);
   return `struct Hit {
   float t;
-${weights.map((w) => `  float ${w};`).join('\n')}
+${parts.map(({ number }) => `  float after${number};`).join('\n')}
 };
-const Hit NOTHING = Hit(MISS${', 0.0'.repeat(parts.length)});
+const Hit NOTHING = Hit(MISS${', 1.0'.repeat(parts.length)});
 Hit nearest(Parts scene, From from, vec3 d, Hit left) {
-${distances.join('\n')}
-  Hit hit;
-  hit.t = ${parts.map(({ number }) => `t${number}`).reduce((a, b) => `min(${a}, ${b})`)};
-  float rest = 1.0;
-${exclusive.join('\n')}
-  return hit;
+${[...distances, ...least].join('\n')}
+  return Hit(t0, ${[...parts.slice(1).map(({ number }) => `step(t${number}, t0)`), '0.0'].join(', ')});
 }
 `;
 }
+
+const weight = (hit: string, number: number): string =>
+  number === 0 ? `1.0 - ${hit}.after0` : `${hit}.after${number - 1} - ${hit}.after${number}`;
+
+const weightsGlsl = (parts: readonly Part[]): string =>
+  parts.map(({ number }) => `  float w${number} = ${weight('hit', number)};`).join('\n');
 
 function occlusionGlsl(parts: readonly Part[]): string {
   const solids = parts.filter(({ kind }) => primitives[kind].occludes(1));
@@ -112,33 +114,35 @@ function occlusionGlsl(parts: readonly Part[]): string {
 
 /** A sum over objects, each times its weight. */
 const weighted = (parts: readonly Part[], term: (part: Part) => string): string =>
-  parts.map((part) => `hit.w${part.number} * ${term(part)}`).join(' + ');
+  parts.map((part) => `w${part.number} * ${term(part)}`).join(' + ');
 
 function surfaceGlsl(parts: readonly Part[], scene: BlockLayout, has: (feature: string) => boolean): string {
   const struct = scene.entries.find(({ name }) => name === 'materials')?.struct;
-  const checkered = parts.filter(({ kind }) => has(`${kind}Checker`));
-  const members = (struct?.members ?? []).map(({ name: member }) => {
-    const among = member === 'checkerStep' ? checkered : parts;
-    return `  m.${member} = ${weighted(among, ({ number }) => `scene.material${number}.${member}`)};`;
-  });
-  // Other objects take no step, wherever they would be in the pattern of the only one that has any.
-  const [only, ...others] = checkered.map(({ name, kind, number }) => ({
-    number,
-    cells: `${kind}Cells(scene.${name}, p)`,
-  }));
-  const cells =
-    others.length === 0
-      ? only?.cells
-      : [only, ...others].map((one) => `hit.w${one?.number} * ${one?.cells}`).join(' + ');
+  const members = (struct?.members ?? [])
+    .filter(({ name }) => name !== 'checkerStep')
+    .map(({ name }) => `  m.${name} = ${weighted(parts, ({ number }) => `scene.material${number}.${name}`)};\n`);
+  const normals = parts.map(({ name, kind, number }) => `${kind}Normal(scene.${name}, from.${name}, w${number})`);
   return `vec3 normalAt(Parts scene, From from, Hit hit) {
-  return ${parts.map(({ name, kind, number }) => `${kind}Normal(scene.${name}, from.${name}, hit.w${number})`).join(' + ')};
+${weightsGlsl(parts)}
+  return ${normals.join(' + ')};
 }
 Material materialAt(Parts scene, Hit hit, vec3 p) {
+${weightsGlsl(parts)}
   Material m;
-${members.join('\n')}
-${checkered.length > 0 ? `  m.color += checkerOdd(${cells}) * m.checkerStep;\n` : ''}  return m;
+${members.join('')}${checkerGlsl(parts.filter(({ kind }) => has(`${kind}Checker`)))}  return m;
 }
 `;
+}
+
+/** What the checkers of the objects that may have one add to the colour. */
+function checkerGlsl(checkered: readonly Part[]): string {
+  const cells = ({ name, kind }: Part): string => `${kind}Cells(scene.${name}, p)`;
+  const step = ({ number }: Part): string => `scene.material${number}.checkerStep`;
+  const [only, ...others] = checkered;
+  if (!only) return '';
+  return others.length === 0
+    ? `  m.color += (w${only.number} * checkerOdd(${cells(only)})) * ${step(only)};\n`
+    : `  m.color += checkerOdd(${weighted(checkered, cells)}) * (${weighted(checkered, step)});\n`;
 }
 
 /** The light of all lights that a surface sends along -d. */
@@ -147,10 +151,9 @@ function lightsGlsl({ lights }: Requirements): string {
     Array.from({ length: lights[kind] }, (_, i) => `${kind}Light(scene.${kind}Light${i}, scene, from, s, p, d)`),
   );
   if (terms.length === 0) return '';
-  const sum = terms.reduce((before, term) => `both(${before}, ${term})`);
   return `#include "light/lights.glsl"
-Lit lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
-  return ${sum};
+vec3 lightAt(Parts scene, From from, Surface s, vec3 p, vec3 d) {
+  return ${terms.join(' + ')};
 }
 `;
 }

@@ -11,42 +11,43 @@ export const plane = definePrimitive({
     tangent: vector('The direction of U; default: the x axis, or z where the normal is nearly x.', { nonzero: true }),
   },
   record: [
-    { name: 'normal', type: 'vec3', when: 'tiltedPlane' },
-    { name: 'facing', type: 'float', when: '!tiltedPlane' },
-    { name: 'offset', type: 'float' },
+    { name: 'down', type: 'vec3', when: 'tiltedPlane' },
+    { name: 'downY', type: 'float', when: '!tiltedPlane' },
+    { name: 'height', type: 'float' },
     { name: 'cellU', type: 'vec3', when: 'planeChecker turnedChecker' },
     { name: 'perCell', type: 'float', when: 'planeChecker !turnedChecker' },
-    { name: 'originU', type: 'float', when: 'planeChecker' },
+    { name: 'startU', type: 'float', when: 'planeChecker' },
     { name: 'cellV', type: 'vec3', when: 'planeChecker turnedChecker' },
-    { name: 'originV', type: 'float', when: 'planeChecker' },
+    { name: 'startV', type: 'float', when: 'planeChecker' },
   ],
   pack(shape, frame, { side, checkerSize }) {
     const { normal, tangent, bitangent } = planeAxes(shape);
     const point = toFrame(frame, shape.point);
     const cell = checkerSize * frame.scale;
     return {
-      // Towards the camera: all light that reaches it leaves the plane on its side.
-      normal: scale(normal, side),
-      facing: side * normal[1],
-      offset: side * dot(normal, point),
-      // U and V counted in cells, from the corner of a pair of cells near the camera rather than from far away.
+      // Away from the camera: all light that reaches it leaves the plane on its side.
+      down: scale(normal, -side),
+      downY: -side * normal[1],
+      // Of the camera.
+      height: -side * dot(normal, point),
+      // U and V counted in cells; at the camera within the first pair of them, so that the numbers stay small.
       perCell: 1 / cell,
       cellU: scale(tangent, 1 / cell),
-      originU: withinPair(dot(tangent, point) / cell),
+      startU: withinPair(-dot(tangent, point) / cell),
       cellV: scale(bitangent, 1 / cell),
-      originV: withinPair(dot(bitangent, point) / cell),
+      startV: withinPair(-dot(bitangent, point) / cell),
     };
   },
-  // It faces nowhere.
+  // No direction leads down.
   absent: {
-    normal: [0, 0, 0],
-    facing: 0,
-    offset: 0,
+    down: [0, 0, 0],
+    downY: 0,
+    height: 0,
     cellU: [0, 0, 0],
     perCell: 0,
-    originU: 0,
+    startU: 0,
     cellV: [0, 0, 0],
-    originV: 0,
+    startV: 0,
   },
   bounds: () => undefined,
   extent: (shape, frame) => Math.abs(dot(planeAxes(shape).normal, toFrame(frame, shape.point))),

@@ -23,8 +23,8 @@ export const sphere = definePrimitive({
     return {
       center: c,
       radius2: r * r,
-      // Negative where the camera is inside, and then every path is: the normal that shading needs points inwards.
-      curvature: side / r,
+      // Times the way to the centre, the normal that shading needs: inwards where the camera and so all paths are inside.
+      curvature: -side / r,
       // The camera's power, |c|² - r², as a product: nothing large cancels next to a planet's surface.
       power: (distance - r) * (distance + r),
       // Cells along one radian.
