@@ -83,8 +83,9 @@ function nearestGlsl(parts: readonly Part[]): string {
       `  float t${number} = ${kind}Distance(scene.${name}, from.${name}, d, ${weight('left', number)});`,
   );
   // From here on t1 is the least of t1, t2, …
-  const [last, ...others] = [...parts].reverse() as [Part, ...Part[]];
-  const least = others.map(({ number }) => `  t${number} = min(t${number}, t${number + 1});`);
+  const least = [...parts.slice(0, -1)]
+    .reverse()
+    .map(({ number }) => `  t${number} = min(t${number}, t${number + 1});`);
   return `struct Hit {
   float t;
 ${parts.map(({ number }) => `  float after${number};`).join('\n')}
