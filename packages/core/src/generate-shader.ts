@@ -8,7 +8,7 @@ import type { Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';
-import { varyingRows } from './varying-rows.ts';
+import { rowCount, varyingRows } from './varying-rows.ts';
 
 export interface ShaderSource {
   readonly vertex: string;
@@ -29,10 +29,11 @@ export interface ShaderOptions {
 
 /** The vertex and fragment shader of a scene with these requirements. */
 export function generateShader(required: Requirements, { varyings = 0 }: ShaderOptions = {}): ShaderSource {
-  const scene = sceneLayout(required);
   const indexed = required.features.includes('indexed');
+  const gapless = sceneLayout(required, { gapless: true });
   // One more row is for the camera ray.
-  const rows = !indexed && scene.size / 16 < varyings ? varyingRows(scene) : undefined;
+  const rows = !indexed && rowCount(gapless.size) < varyings ? varyingRows(gapless) : undefined;
+  const scene = rows ? gapless : sceneLayout(required);
   const view = viewLayout(!!rows);
   const files = {
     ...glslFiles,

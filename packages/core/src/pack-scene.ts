@@ -11,11 +11,12 @@ import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std1
 import { length } from './vector.ts';
 import { eyeRecord, packEye, packSurroundings, surroundingsRecord } from './view-record.ts';
 
-/** The block `Scene` of a shader with these requirements. */
-export function sceneLayout(required: Requirements): BlockLayout {
+/** The block `Scene` of a shader with these requirements; `gapless`, see `layoutStruct`. */
+export function sceneLayout(required: Requirements, { gapless = false } = {}): BlockLayout {
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
   const material = { name: 'material', type: 'int', when: 'indexed' } as const;
-  const struct = (name: string, members: Parameters<typeof layoutStruct>[1]) => layoutStruct(name, members, has);
+  const struct = (name: string, members: Parameters<typeof layoutStruct>[1]) =>
+    layoutStruct(name, members, has, gapless);
   return layoutBlock('Scene', [
     ...shapeKinds.map((kind) => ({
       name: arrayName(kind),

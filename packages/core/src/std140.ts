@@ -27,29 +27,33 @@ export type RecordValues<M extends readonly Member[]> = {
 
 type ValueOf<T extends GlslType> = T extends 'float' | 'int' ? number : readonly number[];
 
-/** A struct whose members' places are known. `size` is a multiple of 16: it is also the stride of an array of it. */
+/** A struct whose members' places are known. `size` is also the stride of an array of it. */
 export interface StructLayout {
   readonly name: string;
   readonly members: readonly (Member & { readonly offset: number })[];
   readonly size: number;
 }
 
-/** Lays out the members whose features are present, in their order. */
+/**
+ * Lays out the members whose features are present, in their order. `gapless`: not as std140 has it, but one number after
+ * the other, for those who take them out of an array of vec4 by themselves.
+ */
 export function layoutStruct(
   name: string,
   members: readonly Member[],
   has: (feature: string) => boolean,
+  gapless = false,
 ): StructLayout {
   let end = 0;
   const placed = members
     .filter(({ when = '' }) => when.split(' ').every((term) => term === '' || holds(term, has)))
     .map((member) => {
       const { size, align } = TYPES[member.type];
-      const offset = roundUp(end, align);
+      const offset = gapless ? end : roundUp(end, align);
       end = offset + size;
       return { ...member, offset };
     });
-  return { name, members: placed, size: roundUp(end, 16) };
+  return { name, members: placed, size: gapless ? end : roundUp(end, 16) };
 }
 
 const holds = (term: string, has: (feature: string) => boolean): boolean =>
@@ -65,7 +69,7 @@ export interface BlockEntry {
 export interface BlockLayout {
   readonly name: string;
   readonly entries: readonly (BlockEntry & { readonly offset: number })[];
-  /** In bytes; 0: GLSL does without the block. */
+  /** In bytes, a multiple of 16; 0: GLSL does without the block. */
   readonly size: number;
 }
 
@@ -79,7 +83,7 @@ export function layoutBlock(name: string, entries: readonly BlockEntry[]): Block
       end += (entry.count ?? 1) * entry.struct.size;
       return { ...entry, offset };
     });
-  return { name, entries: placed, size: end };
+  return { name, entries: placed, size: roundUp(end, 16) };
 }
 
 /** The GLSL of the structs of a block. */
@@ -100,9 +104,8 @@ export function blockGlsl(block: BlockLayout): string {
   return `${structGlsl(block)}layout(std140) uniform ${block.name} {\n${members.join('')}};\n`;
 }
 
-/** The swizzle of a member that begins at a component of its 16-byte row. */
-export const componentsGlsl = (type: GlslType, first: number): string =>
-  'xyzw'.slice(first, first + TYPES[type].size / 4);
+/** How many numbers a type has. */
+export const componentCount = (type: GlslType): number => TYPES[type].size / 4;
 
 /** Writes one struct of a block, the `index`-th of an array. Values without a place in the layout are passed over. */
 export function writeStruct(
@@ -118,7 +121,7 @@ export function writeStruct(
     if (member.type === 'int') view.setInt32(at, value as number, true);
     else {
       // A float takes the first component of a colour: it is there where all of them are equal.
-      const components = [value].flat().slice(0, TYPES[member.type].size / 4);
+      const components = [value].flat().slice(0, componentCount(member.type));
       components.forEach((component, i) => {
         // A zero has no sign here: which one rounding gave it must not make a difference in the bits.
         view.setFloat32(at + 4 * i, component + 0, true);

@@ -47,7 +47,7 @@ function partsGlsl(scene: BlockLayout, fromRows: boolean): string {
     Array.from({ length: entry.count ?? 1 }, (_, i) => ({
       type: entry.struct.name,
       name: entry.count === undefined ? entry.name : partName(entry.name, i),
-      value: fromRows ? structFromRows(scene, entry, i) : `${entry.name}${entry.count === undefined ? '' : `[${i}]`}`,
+      value: fromRows ? structFromRows(entry, i) : `${entry.name}${entry.count === undefined ? '' : `[${i}]`}`,
     })),
   );
   return `struct Parts {
