@@ -1,16 +1,18 @@
 // Ray against sphere without cancellation, for unit directions and points relative to the camera, all in f32.
 // Source: E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7 (2019): the
-// discriminant from the part of the centre perpendicular to the ray, or b² - power, whichever is the more exact; the
+// discriminant from the part of the centre perpendicular to the ray, or b² - power where an exact power tells more; the
 // roots without subtraction. There are no branches: a driver may run both sides of one anyway.
 
 #ifdef SPHERE_CHECKER
 #include "arc-tangent.glsl"
 #endif
 
-// What all rays from a point share: the way to the centre, and the power |c|² - r² of the point.
+// What all rays from a point share: the way to the centre, and the power |c|² - r² of the point. It is exact where it was
+// not worked out here, as a difference of squares in f32.
 struct SphereFrom {
   vec3 c;
   float power;
+  bool exact;
 };
 
 SphereFrom sphereFrom(Sphere s, vec3 o) {
@@ -18,14 +20,16 @@ SphereFrom sphereFrom(Sphere s, vec3 o) {
   float power = dot(c, c) - s.radius2;
 #ifdef CLOSE_UP
   // Near the camera, what the power changes by on the way there: on a planet, nothing large cancels in it.
-  power = mix(power, s.power - dot(o, s.center + c), dot(o, o) < 0.01 * s.radius2);
+  bool near = dot(o, o) < 0.01 * s.radius2;
+  return SphereFrom(c, mix(power, s.power - dot(o, s.center + c), near), near);
+#else
+  return SphereFrom(c, power, false);
 #endif
-  return SphereFrom(c, power);
 }
 
 // From the camera, whose power was worked out in f64: next to a planet's surface, f32 would have none of it right.
 SphereFrom sphereFromCamera(Sphere s) {
-  return SphereFrom(s.center, s.power);
+  return SphereFrom(s.center, s.power, true);
 }
 
 // How far along the ray the centre is nearest (x), and the square of half the chord that the ray cuts out (y).
@@ -33,7 +37,7 @@ vec2 sphereChord(Sphere s, SphereFrom from, vec3 d) {
   float b = dot(from.c, d);
   vec3 aside = from.c - b * d;
   float b2 = b * b;
-  return vec2(b, mix(s.radius2 - dot(aside, aside), b2 - from.power, b2 < s.radius2));
+  return vec2(b, mix(s.radius2 - dot(aside, aside), b2 - from.power, from.exact && b2 < s.radius2));
 }
 
 // The distance to the sphere, or MISS. A ray that leaves the sphere itself (own = 1) for the outside has the centre

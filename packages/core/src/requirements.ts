@@ -69,7 +69,6 @@ function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeed
   set('checker', has('sphereChecker') || has('planeChecker'));
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   set('mixedFalloff', has('falloff') && has('noFalloff'));
-  set('severalLights', indexed || total(lights) > 1);
   set('shadows', several && hasLights && solid);
   set('indexed', indexed);
   return present;

@@ -24,7 +24,6 @@ export const features = [
   'reflective',
   'highlights',
   'reflections',
-  'severalLights',
   'shadows',
   'inside',
   'closeUp',
