@@ -4,12 +4,6 @@
 #include "constants.glsl"
 #include "material/metallic-roughness.glsl"
 #include "surface.glsl"
-#ifdef SPHERES
-#include "shape/sphere.glsl"
-#endif
-#ifdef PLANES
-#include "shape/plane.glsl"
-#endif
 #ifdef ENVIRONMENT
 #include "light/environment.glsl"
 #endif
@@ -42,12 +36,12 @@ vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
   return light;
 }
 
-Surface surfaceAt(Parts scene, From from, Hit hit, vec3 p, vec3 d) {
-  vec3 n = normalAt(scene, from, hit);
+Surface surfaceAt(Parts scene, From from, vec3 p, vec3 d) {
+  vec3 n = normalAt(scene, from, d);
 #ifdef REFLECTIVE
-  return Surface(n, materialAt(scene, hit, p), abs(dot(n, d)));
+  return Surface(n, materialAt(scene, from, p), abs(dot(n, d)));
 #else
-  return Surface(n, materialAt(scene, hit, p));
+  return Surface(n, materialAt(scene, from, p));
 #endif
 }
 
@@ -56,7 +50,7 @@ Surface surfaceAt(Parts scene, From from, Hit hit, vec3 p, vec3 d) {
 vec4 direct(vec3 d) {
   Parts scene = loadParts();
   From from = fromCamera(scene);
-  Hit hit = nearest(scene, from, d, NOTHING);
+  Hit hit = nearest(scene, from, d);
   vec4 behind = background(scene, d);
   bool seen = hit.t < MISS;
   vec3 p = hit.t * d;
@@ -70,14 +64,14 @@ vec4 direct(vec3 d) {
   float bounce = 0.0;
   do {
 #endif
-    from = fromPoint(scene, p);
-    Surface s = surfaceAt(scene, from, hit, p, d);
+    from = fromPoint(scene, p, hit);
+    Surface s = surfaceAt(scene, from, p, d);
     // Over |n|², so that d keeps its length to the last bit: else an error of it would grow eightfold with each bounce.
     vec3 mirrored = d + (2.0 * s.nv / dot(s.normal, s.normal)) * s.normal;
     radiance += throughput * lightFrom(scene, from, s, p, d);
     throughput *= fresnel(s.material, schlickWeight(s.nv));
     d = mirrored;
-    hit = nearest(scene, from, d, hit);
+    hit = nearest(scene, from, d);
     p += hit.t * d;
 #ifdef INDEXED
   }
@@ -90,8 +84,8 @@ vec4 direct(vec3 d) {
   radiance += throughput * mix(environmentRadiance(scene.surroundings, d), vec3(0.0), bvec3(hit.t < MISS));
 #endif
 #else
-  from = fromPoint(scene, p);
-  radiance = lightFrom(scene, from, surfaceAt(scene, from, hit, p, d), p, d);
+  from = fromPoint(scene, p, hit);
+  radiance = lightFrom(scene, from, surfaceAt(scene, from, p, d), p, d);
 #endif
   return mix(behind, vec4(min(radiance, vec3(LARGEST)), 1.0), bvec4(seen));
 }

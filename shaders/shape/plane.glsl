@@ -33,7 +33,7 @@ float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
 }
 
 // The unit normal times a weight.
-vec3 planeNormal(Plane s, PlaneFrom from, float weight) {
+vec3 planeNormal(Plane s, PlaneFrom from, vec3 d, float weight) {
 #ifdef TILTED_PLANE
   return -weight * s.down;
 #else

@@ -18,7 +18,7 @@ struct SphereFrom {
 SphereFrom sphereFrom(Sphere s, vec3 o) {
   vec3 c = s.center - o;
   float power = dot(c, c) - s.radius2;
-#ifdef CLOSE_UP
+#ifdef WIDE_RANGE
   // Near the camera, what the power changes by on the way there: on a planet, nothing large cancels in it.
   bool near = dot(o, o) < 0.01 * s.radius2;
   return SphereFrom(c, mix(power, s.power - dot(o, s.center + c), near), near);
@@ -60,7 +60,7 @@ float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
 
 #ifdef SHADOWS
 // Above 0 where the sphere stands between its outside point and one `limit` away, which is outside too.
-float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
+float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit, float own) {
   vec2 chord = sphereChord(s, from, d);
   float blocked = min(min(chord.x, limit - chord.x), chord.y);
 #ifdef INSIDE
@@ -71,7 +71,7 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit) {
 #endif
 
 // The unit normal on the camera's side at a point of the sphere, from what that point shares, times a weight.
-vec3 sphereNormal(Sphere s, SphereFrom from, float weight) {
+vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
   return (weight * s.curvature) * from.c;
 }
 

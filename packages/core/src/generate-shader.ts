@@ -1,6 +1,6 @@
 /** From what a scene requires to the GLSL that draws it, and nothing more. */
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
-import { glslFiles } from './glsl-files.ts';
+import { glslFiles, shapeFile } from './glsl-files.ts';
 import { indexedObjects } from './indexed-objects.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
 import { shapeKinds } from './primitives/index.ts';
@@ -41,7 +41,8 @@ export function generateShader(required: Requirements, { varyings = 0 }: ShaderO
     'generated/view.glsl': blockGlsl(view),
     'generated/rows.glsl': rows?.vertex ?? '',
     'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
-    'generated/objects.glsl': indexed ? indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows),
+    'generated/objects.glsl':
+      shapeIncludes(required) + (indexed ? indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows)),
   };
   const defined = definedNames(required);
   if (rows) defined.add('VARYINGS');
@@ -58,22 +59,18 @@ export function generateShader(required: Requirements, { varyings = 0 }: ShaderO
 const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').toUpperCase();
 
 const countNames = { point: 'POINT_LIGHTS', directional: 'DIRECTIONAL_LIGHTS' } as const;
-const shapeName = (kind: string): string => `${kind.toUpperCase()}S`;
+
+const shapeIncludes = ({ shapes }: Requirements): string =>
+  shapeKinds.map((kind) => (shapes[kind] > 0 ? `#include "${shapeFile(kind)}"\n` : '')).join('');
 
 const KNOWN_NAMES: ReadonlySet<string> = new Set([
   ...features.map(glslName),
-  ...shapeKinds.map(shapeName),
   ...Object.values(countNames),
   'LIGHTS',
   'VARYINGS',
 ]);
 
-function definedNames({ features: present, shapes, lights }: Requirements): Set<string> {
+function definedNames({ features: present, lights }: Requirements): Set<string> {
   const lit = Object.entries(countNames).filter(([kind]) => lights[kind as keyof typeof lights] > 0);
-  return new Set([
-    ...present.map(glslName),
-    ...shapeKinds.filter((kind) => shapes[kind] > 0).map(shapeName),
-    ...lit.map(([, name]) => name),
-    ...(lit.length > 0 ? ['LIGHTS'] : []),
-  ]);
+  return new Set([...present.map(glslName), ...lit.map(([, name]) => name), ...(lit.length > 0 ? ['LIGHTS'] : [])]);
 }

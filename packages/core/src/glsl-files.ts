@@ -12,9 +12,17 @@ import lights from '../../../shaders/light/lights.glsl';
 import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
 import plane from '../../../shaders/shape/plane.glsl';
 import sphere from '../../../shaders/shape/sphere.glsl';
+import splitDot from '../../../shaders/split-dot.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
+import type { ShapeKind } from './primitives/index.ts';
+
+/** The file that defines a kind of shape. */
+export const shapeFile = (kind: string): string => `shape/${kind}.glsl`;
+
+/** The file of each kind of shape. */
+const shapes: { readonly [K in ShapeKind]: string } = { sphere, plane };
 
 export const glslFiles: { readonly [file: string]: string } = {
   'arc-tangent.glsl': arcTangent,
@@ -28,9 +36,9 @@ export const glslFiles: { readonly [file: string]: string } = {
   'light/environment.glsl': environment,
   'light/lights.glsl': lights,
   'material/metallic-roughness.glsl': metallicRoughness,
-  'shape/plane.glsl': plane,
-  'shape/sphere.glsl': sphere,
+  'split-dot.glsl': splitDot,
   'surface.glsl': surface,
   'trace.frag.glsl': trace,
   'varyings.vert.glsl': varyingsVertex,
+  ...Object.fromEntries(Object.entries(shapes).map(([kind, text]) => [shapeFile(kind), text])),
 };

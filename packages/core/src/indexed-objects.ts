@@ -21,6 +21,7 @@ export function indexedObjects(required: Requirements, scene: BlockLayout): stri
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
   return [
     partsGlsl(scene),
+    HIT_AND_FROM,
     nearestGlsl(groups),
     has('shadows') ? occlusionGlsl(groups) : '',
     surfaceGlsl(groups, has),
@@ -37,18 +38,29 @@ function partsGlsl({ entries }: BlockLayout): string {
 Parts loadParts() {
   return Parts(${surroundings ? 'surroundings' : '0.0'});
 }
+`;
+}
+
+const HIT_AND_FROM = `struct Hit {
+  float t;
+  int object;
+};
+const Hit NOTHING = Hit(MISS, -1);
 struct From {
   vec3 o;
   bool camera;
+  Hit own;
 };
-From fromPoint(Parts scene, vec3 o) {
-  return From(o, false);
+From fromPoint(Parts scene, vec3 o, Hit own) {
+  return From(o, false, own);
 }
 From fromCamera(Parts scene) {
-  return From(vec3(0.0), true);
+  return From(vec3(0.0), true, NOTHING);
 }
 `;
-}
+
+/** 1 for the object that a ray leaves, the `i`-th of its group. */
+const own = ({ first }: Group): string => `from.own.object == ${first} + i ? 1.0 : 0.0`;
 
 function objectGroups({ shapes }: Requirements): readonly Group[] {
   let first = 0;
@@ -69,17 +81,11 @@ function nearestGlsl(groups: readonly Group[]): string {
       group,
       `    ${structName(group.kind)}From seen = ${group.kind}From(${group.array}[i], from.o);
     if (from.camera) seen = ${group.kind}FromCamera(${group.array}[i]);
-    float own = left.object == ${group.first} + i ? 1.0 : 0.0;
-    float t = ${group.kind}Distance(${group.array}[i], seen, d, own);
+    float t = ${group.kind}Distance(${group.array}[i], seen, d, ${own(group)});
     if (t < hit.t) hit = Hit(t, ${group.first} + i);`,
     ),
   );
-  return `struct Hit {
-  float t;
-  int object;
-};
-const Hit NOTHING = Hit(MISS, -1);
-Hit nearest(Parts scene, From from, vec3 d, Hit left) {
+  return `Hit nearest(Parts scene, From from, vec3 d) {
   Hit hit = NOTHING;
 ${searches.join('\n')}
   return hit;
@@ -94,7 +100,7 @@ function occlusionGlsl(groups: readonly Group[]): string {
       const { kind, array } = group;
       return loop(
         group,
-        `    if (${kind}Occlusion(${array}[i], ${kind}From(${array}[i], from.o), d, limit) > 0.0) return 1.0;`,
+        `    if (${kind}Occlusion(${array}[i], ${kind}From(${array}[i], from.o), d, limit, ${own(group)}) > 0.0) return 1.0;`,
       );
     });
   return `float occlusion(Parts scene, From from, vec3 d, float limit) {
@@ -104,12 +110,12 @@ ${searches.join('\n')}
 `;
 }
 
-/** A statement for the object that was hit, `i` being its index in the array of its kind. */
+/** A statement for the object that the point is on, `i` being its index in the array of its kind. */
 function forHit(groups: readonly Group[], statement: (group: Group) => string): string {
   const branches = groups.map((group, number) => {
     const last = number === groups.length - 1;
-    const condition = last ? '' : `if (hit.object < ${group.first + group.count}) `;
-    return `${condition}{\n    int i = hit.object - ${group.first};\n    ${statement(group)}\n  }`;
+    const condition = last ? '' : `if (from.own.object < ${group.first + group.count}) `;
+    return `${condition}{\n    int i = from.own.object - ${group.first};\n    ${statement(group)}\n  }`;
   });
   return `  ${branches.join(' else ')}`;
 }
@@ -117,12 +123,12 @@ function forHit(groups: readonly Group[], statement: (group: Group) => string): 
 function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
   const checker = ({ kind, array }: Group): string =>
     has(`${kind}Checker`) ? `\n    m.color += checkerOdd(${kind}Cells(${array}[i], p)) * m.checkerStep;` : '';
-  return `vec3 normalAt(Parts scene, From from, Hit hit) {
+  return `vec3 normalAt(Parts scene, From from, vec3 d) {
   vec3 n;
-${forHit(groups, ({ kind, array }) => `n = ${kind}Normal(${array}[i], ${kind}From(${array}[i], from.o), 1.0);`)}
+${forHit(groups, ({ kind, array }) => `n = ${kind}Normal(${array}[i], ${kind}From(${array}[i], from.o), d, 1.0);`)}
   return n;
 }
-Material materialAt(Parts scene, Hit hit, vec3 p) {
+Material materialAt(Parts scene, From from, vec3 p) {
   Material m;
 ${forHit(groups, (group) => `m = materials[${group.array}[i].material];${checker(group)}`)}
   return m;

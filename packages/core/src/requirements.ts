@@ -66,7 +66,10 @@ function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeed
   set('highlights', reflective && hasLights);
   set('reflections', reflective && (has('environment') || (bounces > 1 && (several || has('inside')))));
 
-  set('checker', has('sphereChecker') || has('planeChecker'));
+  set(
+    'checker',
+    shapeKinds.some((kind) => has(`${kind}Checker`)),
+  );
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   set('mixedFalloff', has('falloff') && has('noFalloff'));
   set('shadows', several && hasLights && solid);

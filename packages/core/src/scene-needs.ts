@@ -14,8 +14,7 @@ export const features = [
   'specularWeight',
   'falloff',
   'noFalloff',
-  'sphereChecker',
-  'planeChecker',
+  ...shapeKinds.map((kind) => `${kind}Checker` as const),
   'tiltedPlane',
   'turnedChecker',
   // Derived from the whole scene:
@@ -26,7 +25,7 @@ export const features = [
   'reflections',
   'shadows',
   'inside',
-  'closeUp',
+  'wideRange',
   'indexed',
   'environment',
   'gradient',
@@ -53,7 +52,7 @@ export function sceneNeeds(scene: ResolvedScene, bounces: number): SceneNeeds {
     inside: scene.objects.some(
       ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
     ),
-    closeUp: isCloseUp(scene),
+    wideRange: hasWideRange(scene),
     tiltedPlane: planesOf(scene).some((plane) => Math.abs(planeAxes(plane).normal[1]) !== 1),
     turnedChecker: planesOf(scene).some((plane) => !isAlongAxes(plane)),
     environment: !!scene.environment,
@@ -98,13 +97,21 @@ function isAlongAxes(plane: Shape<'plane'>): boolean {
   return tangent[0] === 1 && bitangent[2] === -1;
 }
 
-/** How much larger than another object a sphere may be before f32 cannot tell where on it that object stands. */
-const CLOSE_UP = 2 ** 10;
+/** How much longer than another a length may be before f32 needs positions in two words. */
+const WIDE_RANGE = 2 ** 10;
 
-/** Whether small things lie about on a sphere as large as a planet. */
-function isCloseUp({ objects }: ResolvedScene): boolean {
-  const radii = objects.flatMap(({ shape }) => (shape.type === 'sphere' ? [(shape as Shape<'sphere'>).radius] : []));
-  return Math.max(...radii) >= CLOSE_UP * Math.min(...radii);
+/**
+ * Whether lengths differ so much that positions in f32 are not enough: small things on something as large as a planet, a
+ * camera close to the surface of one, or one that looks from very far.
+ */
+function hasWideRange({ objects, camera }: ResolvedScene): boolean {
+  const frame = { origin: camera.position, scale: 1 };
+  const largest = objects.map(({ shape }) => primitiveOf(shape).extent(shape, frame));
+  const smallest = objects.flatMap(({ shape }) => {
+    const primitive = primitiveOf(shape);
+    return [primitive.size(shape), primitive.clearance(shape, camera.position)];
+  });
+  return Math.max(...largest) >= WIDE_RANGE * Math.min(...smallest);
 }
 
 /** The kinds of all objects. GLSL knows no empty struct, so a scene without objects holds the place of one. */

@@ -23,6 +23,7 @@ export function unrolledObjects(required: Requirements, scene: BlockLayout, from
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
   return [
     partsGlsl(scene, fromRows),
+    hitGlsl(parts),
     fromGlsl(parts),
     nearestGlsl(parts),
     has('shadows') ? occlusionGlsl(parts) : '',
@@ -59,16 +60,17 @@ Parts loadParts() {
 `;
 }
 
-/** What all rays from one point share, for every object. */
+/** What all rays from one point share, for every object, and which of them the point is on. */
 function fromGlsl(parts: readonly Part[]): string {
   return `struct From {
 ${parts.map(({ name, kind }) => `  ${structName(kind)}From ${name};`).join('\n')}
+  Hit own;
 };
-From fromPoint(Parts scene, vec3 o) {
-  return From(${parts.map(({ name, kind }) => `${kind}From(scene.${name}, o)`).join(', ')});
+From fromPoint(Parts scene, vec3 o, Hit own) {
+  return From(${parts.map(({ name, kind }) => `${kind}From(scene.${name}, o)`).join(', ')}, own);
 }
 From fromCamera(Parts scene) {
-  return From(${parts.map(({ name, kind }) => `${kind}FromCamera(scene.${name})`).join(', ')});
+  return From(${parts.map(({ name, kind }) => `${kind}FromCamera(scene.${name})`).join(', ')}, NOTHING);
 }
 `;
 }
@@ -77,21 +79,25 @@ From fromCamera(Parts scene) {
  * A hit tells of each object whether it is one after that: `after1` is 1 if its number is above 1. Weights are differences
  * of these, so they add up to 1 whatever the ties; and a loop keeps one number less, which software rasterisers thank.
  */
-function nearestGlsl(parts: readonly Part[]): string {
-  const distances = parts.map(
-    ({ name, kind, number }) =>
-      `  float t${number} = ${kind}Distance(scene.${name}, from.${name}, d, ${weight('left', number)});`,
-  );
-  // From here on t1 is the least of t1, t2, …
-  const least = [...parts.slice(0, -1)]
-    .reverse()
-    .map(({ number }) => `  t${number} = min(t${number}, t${number + 1});`);
+function hitGlsl(parts: readonly Part[]): string {
   return `struct Hit {
   float t;
 ${parts.map(({ number }) => `  float after${number};`).join('\n')}
 };
 const Hit NOTHING = Hit(MISS${', 1.0'.repeat(parts.length)});
-Hit nearest(Parts scene, From from, vec3 d, Hit left) {
+`;
+}
+
+function nearestGlsl(parts: readonly Part[]): string {
+  const distances = parts.map(
+    ({ name, kind, number }) =>
+      `  float t${number} = ${kind}Distance(scene.${name}, from.${name}, d, ${weight('from.own', number)});`,
+  );
+  // From here on t1 is the least of t1, t2, …
+  const least = [...parts.slice(0, -1)]
+    .reverse()
+    .map(({ number }) => `  t${number} = min(t${number}, t${number + 1});`);
+  return `Hit nearest(Parts scene, From from, vec3 d) {
 ${[...distances, ...least].join('\n')}
   return Hit(t0, ${[...parts.slice(1).map(({ number }) => `step(t${number}, t0)`), '0.0'].join(', ')});
 }
@@ -102,11 +108,14 @@ const weight = (hit: string, number: number): string =>
   number === 0 ? `1.0 - ${hit}.after0` : `${hit}.after${number - 1} - ${hit}.after${number}`;
 
 const weightsGlsl = (parts: readonly Part[]): string =>
-  parts.map(({ number }) => `  float w${number} = ${weight('hit', number)};`).join('\n');
+  parts.map(({ number }) => `  float w${number} = ${weight('from.own', number)};`).join('\n');
 
 function occlusionGlsl(parts: readonly Part[]): string {
   const solids = parts.filter(({ kind }) => primitives[kind].occludes(1));
-  const occlusions = solids.map(({ name, kind }) => `${kind}Occlusion(scene.${name}, from.${name}, d, limit)`);
+  const occlusions = solids.map(
+    ({ name, kind, number }) =>
+      `${kind}Occlusion(scene.${name}, from.${name}, d, limit, ${weight('from.own', number)})`,
+  );
   return `float occlusion(Parts scene, From from, vec3 d, float limit) {
   return ${occlusions.reduce((a, b) => `max(${a}, ${b})`)};
 }
@@ -122,12 +131,12 @@ function surfaceGlsl(parts: readonly Part[], scene: BlockLayout, has: (feature: 
   const members = (struct?.members ?? [])
     .filter(({ name }) => name !== 'checkerStep')
     .map(({ name }) => `  m.${name} = ${weighted(parts, ({ number }) => `scene.material${number}.${name}`)};\n`);
-  const normals = parts.map(({ name, kind, number }) => `${kind}Normal(scene.${name}, from.${name}, w${number})`);
-  return `vec3 normalAt(Parts scene, From from, Hit hit) {
+  const normals = parts.map(({ name, kind, number }) => `${kind}Normal(scene.${name}, from.${name}, d, w${number})`);
+  return `vec3 normalAt(Parts scene, From from, vec3 d) {
 ${weightsGlsl(parts)}
   return ${normals.join(' + ')};
 }
-Material materialAt(Parts scene, Hit hit, vec3 p) {
+Material materialAt(Parts scene, From from, vec3 p) {
 ${weightsGlsl(parts)}
   Material m;
 ${members.join('')}${checkerGlsl(parts.filter(({ kind }) => has(`${kind}Checker`)))}  return m;

@@ -51,6 +51,8 @@ export const plane = definePrimitive({
   },
   bounds: () => undefined,
   extent: (shape, frame) => Math.abs(dot(planeAxes(shape).normal, toFrame(frame, shape.point))),
+  size: () => Number.POSITIVE_INFINITY,
+  clearance: (shape, point) => Math.abs(dot(planeAxes(shape).normal, subtract(point, shape.point))),
   side: (shape, point) => (dot(planeAxes(shape).normal, subtract(point, shape.point)) < 0 ? -1 : 1),
   farSide: (shape, direction) => Math.sign(dot(planeAxes(shape).normal, direction)) as 1 | 0 | -1,
   occludes: () => false,

@@ -35,6 +35,10 @@ export interface Primitive<F extends Fields, M extends readonly Member[]> {
   bounds(shape: Values<F>): Bounds | undefined;
   /** A length that says how large it is, for the scale of the packing. */
   extent(shape: Values<F>, frame: Frame): number;
+  /** The smallest of its lengths; Infinity for what has none. */
+  size(shape: Values<F>): number;
+  /** How far a point is from its surface: exact where the point is near, roughly where it is far. */
+  clearance(shape: Values<F>, point: Vec3): number;
   /**
    * Which part of space a point is in, where the primitive parts space in two (a solid, a plane without end): 1 in front
    * or outside, -1 behind or inside. Paths of light that do not pass through surfaces stay on the camera's side.

@@ -37,6 +37,8 @@ export const sphere = definePrimitive({
     max: center.map((x) => x + radius) as unknown as Vec3,
   }),
   extent: ({ center, radius }, frame) => Math.max(length(toFrame(frame, center)), radius * frame.scale),
+  size: ({ radius }) => radius,
+  clearance: ({ center, radius }, point) => Math.abs(length(subtract(point, center)) - radius),
   side: ({ center, radius }, point) => (length(subtract(point, center)) < radius ? -1 : 1),
   farSide: () => 1,
   occludes: (side) => side > 0,
