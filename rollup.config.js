@@ -97,6 +97,8 @@ const licences = (folder, others) =>
 function oneFile(folder, name, input, others = '') {
   return {
     input: { [name]: input },
+    // Chunks import what they share from the entry, which stays one file.
+    preserveEntrySignatures: 'allow-extension',
     output: { dir: `${folder}/dist`, chunkFileNames: `${name}.[name].js`, banner: licences(folder, others) },
     onLog,
     plugins: [
@@ -116,7 +118,11 @@ for (const folder of ['packages/core', 'packages/ray-scene'])
 export default [
   ...modules(
     'packages/core',
-    { index: 'packages/core/src/index.ts', reference: 'packages/core/src/reference/index.ts' },
+    {
+      index: 'packages/core/src/index.ts',
+      reference: 'packages/core/src/reference/index.ts',
+      parts: 'packages/core/src/more-parts.ts',
+    },
     schemaFile,
   ),
   ...modules('packages/ray-scene', {

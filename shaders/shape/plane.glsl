@@ -2,14 +2,32 @@
 // the plane. So the plane is met where down·d > 0, and nothing that it could hide is ever lit (see `dimmed` in
 // pack-scene.ts). Level planes get by with the y component, a sign.
 
+#if defined(TILTED_PLANE) && defined(WIDE_RANGE)
+#include "split-dot.glsl"
+#endif
+
 // What all rays from a point share: its height above the plane.
 struct PlaneFrom {
   float height;
 };
 
-PlaneFrom planeFrom(Plane s, vec3 o) {
 #ifdef TILTED_PLANE
-  return PlaneFrom(s.height - dot(s.down, o));
+float planeDescent(Plane s, vec3 v) {
+#ifdef WIDE_RANGE
+  return splitDot(s.down, s.down2, s.down3, v);
+#else
+  return dot(s.down, v);
+#endif
+}
+#endif
+
+PlaneFrom planeFrom(Plane s, vec3 o) {
+#if defined(TILTED_PLANE) && defined(WIDE_RANGE)
+  // Near the camera, what the height changes by on the way there; near the plane's point, that from there.
+  bool near = dot(o, o) < 0.01 * dot(s.point, s.point);
+  return PlaneFrom(mix(planeDescent(s, (s.point - o) + s.pointLow), s.height - planeDescent(s, o), near));
+#elif defined(TILTED_PLANE)
+  return PlaneFrom(s.height - planeDescent(s, o));
 #else
   return PlaneFrom(s.height - s.downY * o.y);
 #endif
@@ -23,7 +41,7 @@ PlaneFrom planeFromCamera(Plane s) {
 // says so where the plane is level, but where it is tilted rounding may turn a ray that just grazes it.
 float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
 #ifdef TILTED_PLANE
-  float approach = dot(s.down, d);
+  float approach = planeDescent(s, d);
   bool meets = min(approach, 0.5 - own) > 0.0;
 #else
   float approach = s.downY * d.y;

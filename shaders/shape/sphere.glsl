@@ -72,7 +72,12 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit, float own)
 
 // The unit normal on the camera's side at a point of the sphere, from what that point shares, times a weight.
 vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
+#ifdef WIDE_RANGE
+  // Of a point that is not quite on the sphere, where lengths differ widely.
+  return (sign(s.curvature) * weight / sqrt(max(dot(from.c, from.c), SMALLEST))) * from.c;
+#else
   return (weight * s.curvature) * from.c;
+#endif
 }
 
 #ifdef SPHERE_CHECKER

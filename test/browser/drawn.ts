@@ -1,4 +1,5 @@
 /** Pictures of the GPU as numbers. */
+import '@ray-scene/core/parts';
 import { parseSettings, type RenderSettings, type Scene } from '@ray-scene/core';
 import { Renderer } from '../../packages/ray-scene/src/renderer.ts';
 

@@ -80,7 +80,7 @@ test('a mistake in the JSON of scenes.html is told, and the last good picture st
   const json = page.getByRole('textbox', { name: 'JSON of the scene' });
   await json.fill('{ "objects": [{ "type": "spere" }] }');
   await expect(page.getByRole('alert')).toHaveText(
-    'objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: sphere, plane.',
+    /^objects\[0\]: unknown type "spere" \(did you mean "sphere"\?\)\. Types of object: sphere, plane, .*\.$/,
   );
   expect((await picture(page)).hash).toBe(hash);
   await json.fill('{ "objects": [{ "type": "sphere" }] }');

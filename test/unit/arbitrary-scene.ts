@@ -1,4 +1,5 @@
 /** Random scene files for fast-check, made from the table itself: a new field or kind is tested without a word here. */
+import '@ray-scene/core/parts';
 import { camera, type Fields, lights, material, primitives } from '@ray-scene/core';
 import fc from 'fast-check';
 
@@ -45,7 +46,9 @@ const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields
 /** Takes away fields that contradict each other; what is left is a valid node. */
 function consistent(node: Json): Json {
   const { direction, position, target, tangent, up, ...rest } = node;
-  if (node.type !== 'directional') return node.type === 'plane' ? { ...rest } : node;
+  if (node.type === 'quad') return { ...node, edgeU: [1, 2, 0], edgeV: [0, 1, -3] };
+  if (node.type === 'triangle') return { ...node, a: [-1, 0, 2], b: [4, 0, 0], c: [0, 7, 1] };
+  if (node.type !== 'directional') return node.type === 'plane' || node.type === 'disc' ? { ...rest } : node;
   return direction ? { ...rest, direction } : rest;
 }
 

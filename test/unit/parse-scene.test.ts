@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { type Problem, parseScene, SceneError, sceneJsonSchema, serializeScene } from '@ray-scene/core';
+import { type Problem, parseScene, SceneError, sceneJsonSchema, serializeScene, shapeKinds } from '@ray-scene/core';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import fc from 'fast-check';
 import { arbitraryScene } from './arbitrary-scene.ts';
@@ -70,7 +70,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
   [
     'an unknown kind',
     { objects: [{ type: 'spere' }] },
-    ['objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: sphere, plane.'],
+    [`objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: ${shapeKinds.join(', ')}.`],
   ],
   [
     'a negative radius',

@@ -11,9 +11,21 @@ const unit = (v: unknown): Vec3 => {
   return [x / largest, y / largest, z / largest];
 };
 
+const isFlat = (a: Vec3, b: Vec3, c: Vec3): boolean =>
+  parallel(subtract(b, a), subtract(c, a)) || parallel(subtract(c, b), subtract(a, b));
+
 const rules: { readonly [label: string]: (node: NodeValues) => readonly (string | false)[] } = {
   plane: ({ normal, tangent }) => [
     !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
+  ],
+  disc: ({ normal, tangent }) => [
+    !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
+  ],
+  quad: ({ edgeU, edgeV }) => [
+    !!edgeU && !!edgeV && parallel(edgeU, edgeV) && 'edges must not be parallel: the quad would have no area',
+  ],
+  triangle: ({ a, b, c }) => [
+    !!a && !!b && !!c && isFlat(a as Vec3, b as Vec3, c as Vec3) && 'corners must not be in a line: there is no area',
   ],
   camera: ({ position, target }) => [
     !!position &&

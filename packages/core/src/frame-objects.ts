@@ -1,7 +1,7 @@
 /** A camera for a scene that does not say where it stands, or not all of it. */
 
 import type { ResolvedCamera } from './camera-frame.ts';
-import { primitiveOf } from './primitives/index.ts';
+import { primitiveOf } from './parts.ts';
 import type { Bounds } from './primitives/primitive.ts';
 import { camera as cameraTable, type Scene } from './schema.ts';
 import { add, addScaled, length, normalize, scale, subtract, type Vec3 } from './vector.ts';

@@ -1,9 +1,9 @@
 /** From what a scene requires to the GLSL that draws it, and nothing more. */
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
-import { glslFiles, shapeFile } from './glsl-files.ts';
-import { indexedObjects } from './indexed-objects.ts';
+import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
-import { shapeKinds } from './primitives/index.ts';
+import { indexedObjects, shapeFile, shapeGlsl } from './parts.ts';
+import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
@@ -37,6 +37,7 @@ export function generateShader(required: Requirements, { varyings = 0 }: ShaderO
   const view = viewLayout(!!rows);
   const files = {
     ...glslFiles,
+    ...Object.fromEntries(presentKinds(required).map((kind) => [shapeFile(kind), shapeGlsl(kind)])),
     'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,
     'generated/view.glsl': blockGlsl(view),
     'generated/rows.glsl': rows?.vertex ?? '',
@@ -60,8 +61,12 @@ const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').t
 
 const countNames = { point: 'POINT_LIGHTS', directional: 'DIRECTIONAL_LIGHTS' } as const;
 
-const shapeIncludes = ({ shapes }: Requirements): string =>
-  shapeKinds.map((kind) => (shapes[kind] > 0 ? `#include "${shapeFile(kind)}"\n` : '')).join('');
+const presentKinds = ({ shapes }: Requirements): readonly ShapeKind[] => shapeKinds.filter((kind) => shapes[kind] > 0);
+
+const shapeIncludes = (required: Requirements): string =>
+  presentKinds(required)
+    .map((kind) => `#include "${shapeFile(kind)}"\n`)
+    .join('');
 
 const KNOWN_NAMES: ReadonlySet<string> = new Set([
   ...features.map(glslName),

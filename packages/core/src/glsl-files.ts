@@ -1,4 +1,4 @@
-/** The shader files by their names under `shaders/`: the one place that imports them. */
+/** The shader files by their names under `shaders/`, but for those of the shapes; see `parts.ts`. */
 import arcTangent from '../../../shaders/arc-tangent.glsl';
 import camera from '../../../shaders/camera.glsl';
 import constants from '../../../shaders/constants.glsl';
@@ -10,19 +10,10 @@ import fullscreenVertex from '../../../shaders/fullscreen.vert.glsl';
 import environment from '../../../shaders/light/environment.glsl';
 import lights from '../../../shaders/light/lights.glsl';
 import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
-import plane from '../../../shaders/shape/plane.glsl';
-import sphere from '../../../shaders/shape/sphere.glsl';
 import splitDot from '../../../shaders/split-dot.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
-import type { ShapeKind } from './primitives/index.ts';
-
-/** The file that defines a kind of shape. */
-export const shapeFile = (kind: string): string => `shape/${kind}.glsl`;
-
-/** The file of each kind of shape. */
-const shapes: { readonly [K in ShapeKind]: string } = { sphere, plane };
 
 export const glslFiles: { readonly [file: string]: string } = {
   'arc-tangent.glsl': arcTangent,
@@ -40,5 +31,4 @@ export const glslFiles: { readonly [file: string]: string } = {
   'surface.glsl': surface,
   'trace.frag.glsl': trace,
   'varyings.vert.glsl': varyingsVertex,
-  ...Object.fromEntries(Object.entries(shapes).map(([kind, text]) => [shapeFile(kind), text])),
 };

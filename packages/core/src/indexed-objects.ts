@@ -3,8 +3,9 @@
  * which one a ray met is told by its number. The same functions as in `unrolled-objects.ts`.
  */
 import { arrayName, structName } from './pack-scene.ts';
-import { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
+import { isSolid } from './scene-needs.ts';
 import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
 
@@ -95,7 +96,7 @@ ${searches.join('\n')}
 
 function occlusionGlsl(groups: readonly Group[]): string {
   const searches = groups
-    .filter(({ kind }) => primitives[kind].occludes(1))
+    .filter(({ kind }) => isSolid(kind))
     .map((group) => {
       const { kind, array } = group;
       return loop(

@@ -3,7 +3,8 @@ import type { CameraFrame } from './camera-frame.ts';
 import { type Frame, powerOfTwoBelow, toFrame } from './frame.ts';
 import { directionToLight, lightRecords, packLight } from './light-records.ts';
 import { materialRecord, packMaterial } from './material-record.ts';
-import { primitiveOf, primitives, shapeKinds } from './primitives/index.ts';
+import { primitiveOf, primitiveOfKind } from './parts.ts';
+import { shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { type Light, lightKinds, type Material } from './schema.ts';
@@ -18,11 +19,13 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
   const struct = (name: string, members: Parameters<typeof layoutStruct>[1]) =>
     layoutStruct(name, members, has, gapless);
   return layoutBlock('Scene', [
-    ...shapeKinds.map((kind) => ({
-      name: arrayName(kind),
-      struct: struct(structName(kind), [...primitives[kind].record, material]),
-      count: required.shapes[kind],
-    })),
+    ...shapeKinds
+      .filter((kind) => required.shapes[kind] > 0)
+      .map((kind) => ({
+        name: arrayName(kind),
+        struct: struct(structName(kind), [...primitiveOfKind(kind).record, material]),
+        count: required.shapes[kind],
+      })),
     ...lightKinds.map((kind) => ({
       name: arrayName(lightRecords[kind].struct),
       struct: struct(lightRecords[kind].struct, lightRecords[kind].record),
@@ -61,6 +64,7 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const frame = packingFrame(scene);
   const writer = new BlockWriter(block);
   const indexed = required.features.includes('indexed');
+  const wideRange = required.features.includes('wideRange');
   const material = (index: number) => packMaterial(scene.materials[index] as Material);
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;
@@ -69,12 +73,12 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
     ofKind.forEach(({ shape, material: index }, i) => {
       const side = primitiveOf(shape).side(shape, frame.origin);
       const checkerSize = (scene.materials[index] as Material).checkerSize;
-      const record = primitiveOf(shape).pack(shape, frame, { side, checkerSize });
+      const record = primitiveOf(shape).pack(shape, frame, { side, checkerSize, wideRange });
       writer.write(arrayName(kind), i, { ...record, material: index });
       if (!indexed) writer.write('materials', number + i, material(index));
     });
     for (let i = ofKind.length; i < required.shapes[kind]; i++) {
-      writer.write(arrayName(kind), i, { ...primitives[kind].absent, material: 0 });
+      writer.write(arrayName(kind), i, { ...primitiveOfKind(kind).absent, material: 0 });
     }
     number += required.shapes[kind];
   }

@@ -55,7 +55,7 @@ function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeed
   const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
   const hasLights = total(lights) > 0;
   const several = total(shapes) > 1;
-  const solid = shapeKinds.some((kind) => isSolid(kind) && shapes[kind] > 0);
+  const solid = shapeKinds.some((kind) => shapes[kind] > 0 && isSolid(kind));
 
   set('specular', has('specular') && has('dielectric'));
   const reflective = (hasLights || has('environment')) && (has('metal') || has('specular'));

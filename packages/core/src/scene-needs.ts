@@ -1,6 +1,7 @@
 /** What the nodes of a scene need by themselves, before it is asked what follows from all of them together. */
 import type { Field } from './fields.ts';
-import { primitiveOf, primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { primitiveOf, primitiveOfKind } from './parts.ts';
+import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import { planeAxes } from './primitives/plane.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { type LightKind, lightKinds, lights, material, type Shape } from './schema.ts';
@@ -86,7 +87,7 @@ export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
 }
 
 /** Whether a kind can stand between two points outside of it. */
-export const isSolid = (kind: ShapeKind): boolean => primitives[kind].occludes(1);
+export const isSolid = (kind: ShapeKind): boolean => primitiveOfKind(kind).occludes(1);
 
 const planesOf = ({ objects }: ResolvedScene): readonly Shape<'plane'>[] =>
   objects.map(({ shape }) => shape).filter((shape) => shape.type === 'plane') as Shape<'plane'>[];
@@ -100,18 +101,23 @@ function isAlongAxes(plane: Shape<'plane'>): boolean {
 /** How much longer than another a length may be before f32 needs positions in two words. */
 const WIDE_RANGE = 2 ** 10;
 
+/** How much nearer than it is large the camera may come to an object before f32 does not know how far it is away. */
+const CLOSE_UP = 2 ** 12;
+
 /**
  * Whether lengths differ so much that positions in f32 are not enough: small things on something as large as a planet, a
  * camera close to the surface of one, or one that looks from very far.
  */
 function hasWideRange({ objects, camera }: ResolvedScene): boolean {
   const frame = { origin: camera.position, scale: 1 };
-  const largest = objects.map(({ shape }) => primitiveOf(shape).extent(shape, frame));
-  const smallest = objects.flatMap(({ shape }) => {
-    const primitive = primitiveOf(shape);
-    return [primitive.size(shape), primitive.clearance(shape, camera.position)];
-  });
-  return Math.max(...largest) >= WIDE_RANGE * Math.min(...smallest);
+  const extents = objects.map(({ shape }) => primitiveOf(shape).extent(shape, frame));
+  const sizes = objects.map(({ shape }) => primitiveOf(shape).size(shape));
+  return (
+    Math.max(...extents) >= WIDE_RANGE * Math.min(...sizes) ||
+    objects.some(
+      ({ shape }, i) => (extents[i] as number) >= CLOSE_UP * primitiveOf(shape).clearance(shape, camera.position),
+    )
+  );
 }
 
 /** The kinds of all objects. GLSL knows no empty struct, so a scene without objects holds the place of one. */

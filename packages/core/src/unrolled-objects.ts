@@ -4,8 +4,9 @@
  * table look-up; see `indexed-objects.ts` for the same functions over many objects.
  */
 import { structName } from './pack-scene.ts';
-import { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
+import { isSolid } from './scene-needs.ts';
 import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
 import { structFromRows } from './varying-rows.ts';
@@ -111,7 +112,7 @@ const weightsGlsl = (parts: readonly Part[]): string =>
   parts.map(({ number }) => `  float w${number} = ${weight('from.own', number)};`).join('\n');
 
 function occlusionGlsl(parts: readonly Part[]): string {
-  const solids = parts.filter(({ kind }) => primitives[kind].occludes(1));
+  const solids = parts.filter(({ kind }) => isSolid(kind));
   const occlusions = solids.map(
     ({ name, kind, number }) =>
       `${kind}Occlusion(scene.${name}, from.${name}, d, limit, ${weight('from.own', number)})`,

@@ -1,6 +1,7 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
 import {
   cameraFrame,
+  loadParts,
   pixelSample,
   type RenderSettings,
   type Requirements,
@@ -50,7 +51,7 @@ export interface RenderStats {
 export class Renderer {
   /** Told of what goes wrong while drawing; by default it becomes an uncaught error of the page. */
   onerror: (error: Error) => void = (error) => reportError(error);
-  /** Told when a lost context is back and the picture should be drawn again. */
+  /** Told when the picture should be drawn again: a lost context is back, or what the scene waited for is there. */
   onrestored: () => void = () => {};
 
   readonly #device: RenderDevice;
@@ -61,6 +62,8 @@ export class Renderer {
     contextRestored: () => this.onrestored(),
   };
   #hasScene = false;
+  /** What was asked for last. */
+  #next: Scene | undefined;
   #tracer: Tracer | undefined;
   #display: Display | undefined;
   #accumulation: Accumulation | undefined;
@@ -90,9 +93,19 @@ export class Renderer {
     device.add(this.#listener);
   }
 
+  /** The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there. */
   setScene(scene: Scene): void {
-    this.#hasScene = true;
-    this.#view.scene = scene;
+    this.#next = scene;
+    const loading = loadParts(scene);
+    if (!loading) this.#show(scene);
+    loading?.then(
+      () => {
+        if (this.#next !== scene) return;
+        this.#show(scene);
+        this.onrestored();
+      },
+      (error: Error) => this.onerror(error),
+    );
   }
 
   setSettings(settings: RenderSettings): void {
@@ -161,8 +174,14 @@ export class Renderer {
   /** Frees what it has on the GPU; the canvas keeps its picture. */
   dispose(): void {
     this.#hasScene = false;
+    this.#next = undefined;
     this.#device.remove(this.#listener);
     this.#release();
+  }
+
+  #show(scene: Scene): void {
+    this.#hasScene = true;
+    this.#view.scene = scene;
   }
 
   #isDrawable(): boolean {

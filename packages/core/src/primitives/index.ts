@@ -1,17 +1,22 @@
-/** The closed list of primitives. A kind added here is missed by the compiler wherever it is not yet handled. */
-import type { Fields } from '../fields.ts';
-import type { Member } from '../std140.ts';
+/**
+ * The closed list of primitives: what an author may say of them. A kind added here is missed by the compiler wherever it is
+ * not yet handled. What else the engine must know of a kind is in `registry.ts`.
+ */
+import { discTable } from './disc.ts';
 import { plane } from './plane.ts';
-import type { Primitive } from './primitive.ts';
+import { quadTable } from './quad.ts';
 import { sphere } from './sphere.ts';
+import { triangleTable } from './triangle.ts';
 
-export const primitives = { sphere, plane } as const;
+export const primitives = {
+  sphere: { doc: sphere.doc, fields: sphere.fields },
+  plane: { doc: plane.doc, fields: plane.fields },
+  disc: discTable,
+  quad: quadTable,
+  triangle: triangleTable,
+} as const;
 
 export type ShapeKind = keyof typeof primitives;
 
 /** In the order of the shader's object numbers. */
 export const shapeKinds = Object.keys(primitives) as readonly ShapeKind[];
-
-/** The primitive of a shape, for callers to whom its kind does not matter. */
-export const primitiveOf = (shape: { readonly type: ShapeKind }): Primitive<Fields, readonly Member[]> =>
-  primitives[shape.type];

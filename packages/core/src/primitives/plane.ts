@@ -1,6 +1,7 @@
 import { vector } from '../fields.ts';
 import { toFrame } from '../frame.ts';
-import { cross, dot, normalize, scale, subtract, type Vec3 } from '../vector.ts';
+import { cross, dot, length, normalize, scale, subtract, type Vec3 } from '../vector.ts';
+import { lowWord, packNormal, withinPair } from './flat.ts';
 import { definePrimitive } from './primitive.ts';
 
 export const plane = definePrimitive({
@@ -12,6 +13,10 @@ export const plane = definePrimitive({
   },
   record: [
     { name: 'down', type: 'vec3', when: 'tiltedPlane' },
+    { name: 'down2', type: 'vec3', when: 'tiltedPlane wideRange' },
+    { name: 'down3', type: 'vec3', when: 'tiltedPlane wideRange' },
+    { name: 'point', type: 'vec3', when: 'tiltedPlane wideRange' },
+    { name: 'pointLow', type: 'vec3', when: 'tiltedPlane wideRange' },
     { name: 'downY', type: 'float', when: '!tiltedPlane' },
     { name: 'height', type: 'float' },
     { name: 'cellU', type: 'vec3', when: 'planeChecker turnedChecker' },
@@ -20,13 +25,18 @@ export const plane = definePrimitive({
     { name: 'cellV', type: 'vec3', when: 'planeChecker turnedChecker' },
     { name: 'startV', type: 'float', when: 'planeChecker' },
   ],
-  pack(shape, frame, { side, checkerSize }) {
+  pack(shape, frame, { side, checkerSize, wideRange }) {
     const { normal, tangent, bitangent } = planeAxes(shape);
     const point = toFrame(frame, shape.point);
     const cell = checkerSize * frame.scale;
+    const down = packNormal(scale(normal, -side), wideRange);
     return {
       // Away from the camera: all light that reaches it leaves the plane on its side.
-      down: scale(normal, -side),
+      down: down.normal,
+      down2: down.normal2,
+      down3: down.normal3,
+      point,
+      pointLow: lowWord(point),
       downY: -side * normal[1],
       // Of the camera.
       height: -side * dot(normal, point),
@@ -41,6 +51,10 @@ export const plane = definePrimitive({
   // No direction leads down.
   absent: {
     down: [0, 0, 0],
+    down2: [0, 0, 0],
+    down3: [0, 0, 0],
+    point: [0, 0, 0],
+    pointLow: [0, 0, 0],
     downY: 0,
     height: 0,
     cellU: [0, 0, 0],
@@ -50,15 +64,17 @@ export const plane = definePrimitive({
     startV: 0,
   },
   bounds: () => undefined,
-  extent: (shape, frame) => Math.abs(dot(planeAxes(shape).normal, toFrame(frame, shape.point))),
+  extent: (shape, frame) => length(toFrame(frame, shape.point)),
   size: () => Number.POSITIVE_INFINITY,
-  clearance: (shape, point) => Math.abs(dot(planeAxes(shape).normal, subtract(point, shape.point))),
+  // A level plane needs no more than f32 however near it is.
+  clearance(shape, point) {
+    const { normal } = planeAxes(shape);
+    return Math.abs(normal[1]) === 1 ? Number.POSITIVE_INFINITY : Math.abs(dot(normal, subtract(point, shape.point)));
+  },
   side: (shape, point) => (dot(planeAxes(shape).normal, subtract(point, shape.point)) < 0 ? -1 : 1),
   farSide: (shape, direction) => Math.sign(dot(planeAxes(shape).normal, direction)) as 1 | 0 | -1,
   occludes: () => false,
 });
-
-const withinPair = (cells: number): number => cells - 2 * Math.round(cells / 2);
 
 /** The unit normal and the directions of U and V in the plane, in f64. */
 export function planeAxes(shape: { readonly normal: Vec3; readonly tangent?: Vec3 }): {

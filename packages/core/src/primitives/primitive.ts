@@ -15,6 +15,8 @@ export interface PackContext {
   readonly side: 1 | -1;
   /** Of the object's material. */
   readonly checkerSize: number;
+  /** Whether the shader wants positions and directions in more than one word; see `scene-needs.ts`. */
+  readonly wideRange: boolean;
 }
 
 /**

@@ -1,10 +1,14 @@
 /** What the tracer asks of every kind of primitive; a kind that is missing here does not compile. */
 import type { ShapeKind } from '../../primitives/index.ts';
+import '../../more-parts.ts';
 import type { Shape } from '../../schema.ts';
 import type { Vec3 } from '../../vector.ts';
 import type { Ray } from '../ray.ts';
+import { discDistance, discLengths, discNormal } from './disc.ts';
 import { planeDistance, planeLengths, planeNormal } from './plane.ts';
+import { quadDistance, quadLengths, quadNormal } from './quad.ts';
 import { sphereDistance, sphereLengths, sphereNormal } from './sphere.ts';
+import { triangleDistance, triangleLengths, triangleNormal } from './triangle.ts';
 
 export interface TracedShape<K extends ShapeKind> {
   /** Distance t > 0 to the nearest intersection, or MISS; `own`: the ray leaves this very object. */
@@ -18,6 +22,9 @@ export interface TracedShape<K extends ShapeKind> {
 const tracedShapes: { readonly [K in ShapeKind]: TracedShape<K> } = {
   sphere: { distance: sphereDistance, normal: sphereNormal, lengths: sphereLengths },
   plane: { distance: planeDistance, normal: planeNormal, lengths: planeLengths },
+  disc: { distance: discDistance, normal: discNormal, lengths: discLengths },
+  quad: { distance: quadDistance, normal: quadNormal, lengths: quadLengths },
+  triangle: { distance: triangleDistance, normal: triangleNormal, lengths: triangleLengths },
 };
 
 export const tracedShape = <K extends ShapeKind>(shape: Shape<K>): TracedShape<K> =>
