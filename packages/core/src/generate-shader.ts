@@ -25,10 +25,12 @@ export interface ShaderOptions {
    * read a varying much faster than a uniform; GPUs do not.
    */
   readonly varyings?: number;
+  /** Text that stands in for `trace.frag.glsl`: the main function of a test, which calls the others with their numbers. */
+  readonly main?: string;
 }
 
 /** The vertex and fragment shader of a scene with these requirements. */
-export function generateShader(required: Requirements, { varyings = 0 }: ShaderOptions = {}): ShaderSource {
+export function generateShader(required: Requirements, { varyings = 0, main }: ShaderOptions = {}): ShaderSource {
   const indexed = required.features.includes('indexed');
   const gapless = sceneLayout(required, { gapless: true });
   // One more row is for the camera ray.
@@ -37,6 +39,7 @@ export function generateShader(required: Requirements, { varyings = 0 }: ShaderO
   const view = viewLayout(!!rows);
   const files = {
     ...glslFiles,
+    ...(main === undefined ? {} : { 'trace.frag.glsl': main }),
     'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,
     'generated/view.glsl': blockGlsl(view),
     'generated/rows.glsl': rows?.vertex ?? '',
