@@ -3,6 +3,7 @@
 import { type BenchBrowser, type BenchPage, startBrowser } from '../bench/browser-pages.ts';
 import { findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
+import type { BrdfQuestion } from './brdf-tables.ts';
 import type { Answer, Problem } from './problem.ts';
 import type { Ask } from './vectors.ts';
 
@@ -29,19 +30,27 @@ export class Gpu {
     return new Gpu(started, await started.open());
   }
 
-  readonly ask: Ask = async (problems) => {
-    const answers: (readonly Answer[])[] = [];
-    for (let i = 0; i < problems.length; i += CHUNK) {
-      const chunk = problems.slice(i, i + CHUNK) as Problem[];
-      const texts = await this.page.execute((asked: Problem[]) => truth.answer(asked), chunk);
-      answers.push(...texts.map((ways) => ways.map(parseAnswer)));
-    }
-    return answers;
-  };
+  readonly ask: Ask = (problems) =>
+    inChunks(problems, async (chunk) => {
+      const texts = await this.page.execute((asked: readonly Problem[]) => truth.answer(asked), chunk);
+      return texts.map((ways) => ways.map(parseAnswer));
+    });
+
+  readonly reflectance = (questions: readonly BrdfQuestion[]): Promise<readonly (readonly number[])[]> =>
+    inChunks(questions, async (chunk) => {
+      const texts = await this.page.execute((asked: readonly BrdfQuestion[]) => truth.reflectance(asked), chunk);
+      return texts.map((channels) => channels.map(Number));
+    });
 
   close(): Promise<void> {
     return this.#browser.close();
   }
+}
+
+async function inChunks<A, R>(all: readonly A[], ask: (chunk: readonly A[]) => Promise<readonly R[]>): Promise<R[]> {
+  const answers: R[] = [];
+  for (let i = 0; i < all.length; i += CHUNK) answers.push(...(await ask(all.slice(i, i + CHUNK))));
+  return answers;
 }
 
 function parseAnswer(texts: readonly string[]): Answer {

@@ -14,9 +14,10 @@ import {
 } from '@ray-scene/core';
 import { toFrame } from '../../packages/core/src/frame.ts';
 import { packingFrame } from '../../packages/core/src/pack-scene.ts';
-import { blockBindings, Program } from '../../packages/ray-scene/src/program.ts';
+import { Program } from '../../packages/ray-scene/src/program.ts';
 import type { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
 import probe from './probe.frag.glsl';
+import { createTarget, UniformBuffers } from './probe-target.ts';
 import type { Answer, Problem } from './problem.ts';
 import { sceneOf } from './reference-side.ts';
 
@@ -36,15 +37,13 @@ type Passing = { readonly varyings: number };
 export class Probe {
   readonly #device: RenderDevice;
   readonly #programs = new Map<string, Prepared>();
-  readonly #scene: WebGLBuffer;
-  readonly #view: WebGLBuffer;
+  readonly #buffers: UniformBuffers;
 
   /** @throws {Error} where there are no f32 targets. */
   constructor(device: RenderDevice) {
     if (device.precision !== 'float') throw new Error('answers are drawn into 32-bit floats, which this GPU has not');
     this.#device = device;
-    this.#scene = device.gl.createBuffer();
-    this.#view = device.gl.createBuffer();
+    this.#buffers = new UniformBuffers(device.gl);
   }
 
   /** The answers to each problem, one for each way in which a program on this device may read the scene. */
@@ -57,14 +56,12 @@ export class Probe {
 
   #draw(problems: readonly Problem[], passing: Passing): readonly Answer[] {
     const { gl } = this.#device;
-    const height = Math.ceil(problems.length / ROW);
-    const target = createTarget(gl, ROW, height);
+    const target = createTarget(gl, ROW, Math.ceil(problems.length / ROW));
     const scales = problems.map((problem, i) => {
       gl.viewport(i % ROW, Math.floor(i / ROW), 1, 1);
       return this.#drawOne(problem, passing);
     });
-    const pixels = new Float32Array(4 * ROW * height);
-    gl.readPixels(0, 0, ROW, height, gl.RGBA, gl.FLOAT, pixels);
+    const pixels = target.read();
     target.dispose();
     return scales.map((scale, i) => {
       const [t, x, y, z] = pixels.subarray(4 * i, 4 * i + 4) as unknown as readonly [number, number, number, number];
@@ -80,9 +77,7 @@ export class Probe {
     const { program, shader } = this.#prepare(required, problem, passing);
     const frame = packingFrame(scene);
     program.use();
-    write(gl, this.#scene, blockBindings.Scene, packScene(scene, required, shader.sceneBlock));
-    // Only the window is drawn from it, of which a pixel sees nothing.
-    write(gl, this.#view, blockBindings.View, new ArrayBuffer(shader.viewBlock.size));
+    this.#buffers.write(packScene(scene, required, shader.sceneBlock), shader.viewBlock.size);
     gl.uniform3fv(program.uniform('origin'), [...toFrame(frame, problem.origin)]);
     gl.uniform3fv(program.uniform('direction'), [...problem.direction]);
     gl.uniform1f(program.uniform('own'), problem.own ? 1 : 0);
@@ -123,28 +118,4 @@ function requirementsOf(scene: ResolvedScene, problem: Problem): Requirements {
     ...required,
     needs: { ...needs, features: new Set([...needs.features, 'through']) },
   });
-}
-
-function write(gl: WebGL2RenderingContext, buffer: WebGLBuffer, binding: number, bytes: ArrayBuffer): void {
-  if (bytes.byteLength === 0) return;
-  gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
-  gl.bufferData(gl.UNIFORM_BUFFER, bytes, gl.DYNAMIC_DRAW);
-  gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, buffer);
-}
-
-/** A float target that is drawn into from now on. */
-export function createTarget(gl: WebGL2RenderingContext, width: number, height: number): { dispose(): void } {
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, height);
-  const framebuffer = gl.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-  gl.disable(gl.BLEND);
-  return {
-    dispose() {
-      gl.deleteFramebuffer(framebuffer);
-      gl.deleteTexture(texture);
-    },
-  };
 }

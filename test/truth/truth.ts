@@ -3,10 +3,11 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
+import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tables.ts';
 import { Gpu } from './gpu-side.ts';
 import { isKind } from './reference-side.ts';
 import { printReport, type Truth } from './report.ts';
-import { brokenLimits, type VectorRow, vectorRows, type WatertightRow } from './rows.ts';
+import { type BrdfRow, brokenLimits, quantile, type VectorRow, vectorRows, type WatertightRow } from './rows.ts';
 import { parseLines, type VectorCase, vectorKinds, type WatertightCase } from './vector-cases.ts';
 import { askReference, judgeCamera, judgeReference, judgeSecondary, judgeTextbook, watertightRow } from './vectors.ts';
 
@@ -76,20 +77,50 @@ async function measureVectors(onCpu: boolean, gpu: Gpu | undefined): Promise<Vec
   return { rows, textbook: vectorRows('textbook', judgeTextbook(cases)), watertight, skipped };
 }
 
+async function measureBrdf(onCpu: boolean, gpu: Gpu | undefined): Promise<readonly BrdfRow[]> {
+  const rows: BrdfRow[] = [];
+  for (const [table, caseOf] of Object.entries(brdfTables)) {
+    const cases = lines<never>('brdf', `${table}.jsonl`).map(caseOf);
+    if (onCpu)
+      rows.push(
+        brdfRow(
+          'reference',
+          table,
+          cases,
+          cases.map(({ reference }) => reference()),
+        ),
+      );
+    if (gpu) rows.push(brdfRow('gpu', table, cases, await gpu.reflectance(cases.map(({ question }) => question))));
+  }
+  return rows;
+}
+
+function brdfRow(
+  side: BrdfRow['side'],
+  table: string,
+  cases: readonly BrdfCase[],
+  values: readonly (readonly number[])[],
+): BrdfRow {
+  const errors = cases.map((one, i) => brdfError(values[i] ?? [], one, side));
+  return { side, table, cases: cases.length, p99: quantile(errors, 0.99), max: quantile(errors, 1) };
+}
+
 async function measure(): Promise<Truth> {
   const { engine } = options;
   const onCpu = engine === undefined || engine === 'cpu';
   const gpu = engine === 'cpu' ? undefined : await Gpu.start(engine ?? 'chromium');
   try {
     const vectors = wants('vectors') ? await measureVectors(onCpu, gpu) : undefined;
-    const { rows = [], textbook = [], watertight = [], skipped = [] } = vectors ?? {};
+    const { rows = [], textbook = [], watertight = [] } = vectors ?? {};
+    const brdf = wants('brdf') ? await measureBrdf(onCpu, gpu) : [];
+    const noTables = wants('brdf') ? skippedTables.map((table) => `brdf ${table}`) : [];
     return {
       vectors: rows,
       watertight,
-      brdf: [],
+      brdf,
       images: [],
       textbook,
-      skipped,
+      skipped: [...(vectors?.skipped ?? []), ...noTables],
       broken: brokenLimits(rows, watertight),
     };
   } finally {
