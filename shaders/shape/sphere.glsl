@@ -6,6 +6,9 @@
 #ifdef SPHERE_CHECKER
 #include "arc-tangent.glsl"
 #endif
+#ifdef WIDE_RANGE
+#include "split-dot.glsl"
+#endif
 
 // What all rays from a point share: the way to the centre, and the power |c|² - r² of the point. It is exact where it was
 // not worked out here, as a difference of squares in f32.
@@ -13,33 +16,70 @@ struct SphereFrom {
   vec3 c;
   float power;
   bool exact;
+#ifdef WIDE_RANGE
+  vec3 o;
+#endif
 };
 
 SphereFrom sphereFrom(Sphere s, vec3 o) {
-  vec3 c = s.center - o;
-  float power = dot(c, c) - s.radius2;
 #ifdef WIDE_RANGE
+  vec3 c = (s.center - o) + s.centerLow;
+  float power = dot(c, c) - s.radius2;
   // Near the camera, what the power changes by on the way there: on a planet, nothing large cancels in it.
   bool near = dot(o, o) < 0.01 * s.radius2;
-  return SphereFrom(c, mix(power, s.power - dot(o, s.center + c), near), near);
+  return SphereFrom(c, mix(power, s.power - dot(o, s.center + c), near), near, o);
 #else
+  vec3 c = s.center - o;
+  float power = dot(c, c) - s.radius2;
   return SphereFrom(c, power, false);
 #endif
 }
 
 // From the camera, whose power was worked out in f64: next to a planet's surface, f32 would have none of it right.
 SphereFrom sphereFromCamera(Sphere s) {
+#ifdef WIDE_RANGE
+  return SphereFrom(s.center, s.power, true, vec3(0.0));
+#else
   return SphereFrom(s.center, s.power, true);
+#endif
 }
 
 // How far along the ray the centre is nearest (x), and the square of half the chord that the ray cuts out (y).
 vec2 sphereChord(Sphere s, SphereFrom from, vec3 d) {
+#ifdef WIDE_RANGE
+  // Near the camera c·d is what is left of a planet's radius, and b² - power what is left of that at the horizon: there
+  // the first is worked out to twice the precision, and d is as long as it is.
+  float a = dotInOrder(d, d);
+  float split = 2.0 * splitDot(s.half1, s.half2, s.half3, d) - dotInOrder(from.o, d);
+  float b = mix(dot(from.c, d), split, from.exact);
+  vec3 aside = from.c - (b / a) * d;
+  float b2 = b * b;
+  float r2 = a * s.radius2;
+  return vec2(b, mix(r2 - a * dot(aside, aside), b2 - a * from.power, from.exact && b2 < r2));
+#else
   float b = dot(from.c, d);
   vec3 aside = from.c - b * d;
   float b2 = b * b;
   return vec2(b, mix(s.radius2 - dot(aside, aside), b2 - from.power, from.exact && b2 < s.radius2));
+#endif
 }
 
+#ifdef THROUGH
+// The distance to the sphere, or MISS, from outside or inside. The roots are power / q and q; that of a ray that leaves
+// the sphere itself (own = 1) is the one nearer to 0, so that q is left if it is ahead.
+float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
+  vec2 chord = sphereChord(s, from, d);
+  // From inside, -power at least: no rounding makes such a ray miss.
+  float chord2 = max(chord.y, -from.power);
+  float root = sqrt(max(chord2, 0.0));
+  bool outside = from.power > 0.0;
+  bool leaves = own > 0.5;
+  bool ahead = chord.x > 0.0;
+  float q = chord.x + mix(-root, root, ahead);
+  float t = mix(q, from.power / q, !leaves && outside == ahead);
+  return mix(MISS, t, chord2 > 0.0 && (ahead || !(leaves || outside)));
+}
+#else
 // The distance to the sphere, or MISS. A ray that leaves the sphere itself (own = 1) for the outside has the centre
 // behind it, and does not meet it again; from inside, its own root t = 0 is divided out and the other one is left.
 float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
@@ -57,8 +97,15 @@ float sphereDistance(Sphere s, SphereFrom from, vec3 d, float own) {
 #endif
   return t;
 }
+#endif
 
 #ifdef SHADOWS
+#ifdef THROUGH
+// Above 0 where the sphere stands between a point and another, `limit` away.
+float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit, float own) {
+  return limit - sphereDistance(s, from, d, own);
+}
+#else
 // Above 0 where the sphere stands between its outside point and one `limit` away, which is outside too.
 float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit, float own) {
   vec2 chord = sphereChord(s, from, d);
@@ -69,10 +116,17 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit, float own)
   return blocked;
 }
 #endif
+#endif
 
-// The unit normal on the camera's side at a point of the sphere, from what that point shares, times a weight.
+// The unit normal at a point of the sphere on the side that the ray came from, from what that point shares, times a
+// weight.
 vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
+#ifdef THROUGH
+  // Outwards where the centre is ahead.
+  return (weight * mix(1.0, -1.0, dot(from.c, d) > 0.0) * abs(s.curvature)) * from.c;
+#else
   return (weight * s.curvature) * from.c;
+#endif
 }
 
 #ifdef SPHERE_CHECKER
