@@ -21,11 +21,13 @@ for (const kind of vectorKinds.filter(isKind)) {
   });
 }
 
-test('no ray slips through between triangles', { skip: !isKind('triangle') }, async () => {
-  const row = await watertightRow('reference', lines<WatertightCase>('vectors/watertight'), askReference);
-  assert.ok(row.cases > 0);
-  assert.equal(row.lost, 0);
-});
+if (isKind('triangle')) {
+  test('no ray slips through between triangles', async () => {
+    const row = await watertightRow('reference', lines<WatertightCase>('vectors/watertight'), askReference);
+    assert.ok(row.cases > 0);
+    assert.equal(row.lost, 0);
+  });
+}
 
 for (const [table, caseOf] of Object.entries(brdfTables)) {
   test(`reflectance is as in the table ${table}`, () => {
