@@ -89,7 +89,7 @@ export class Probe {
     const key = JSON.stringify([requirementsKey(required), isFromCamera(problem), varyings]);
     let prepared = this.#programs.get(key);
     if (!prepared) {
-      const shader = generateShader(required, { varyings, main: mainOf(problem) });
+      const shader = generateShader(required, { varyings, main: mainOf(problem, required) });
       prepared = { shader, program: new Program(this.#device.gl, shader) };
       this.#programs.set(key, prepared);
     }
@@ -99,9 +99,11 @@ export class Probe {
 
 const isFromCamera = ({ camera, origin }: Problem): boolean => camera.every((x, i) => x === origin[i]);
 
-function mainOf(problem: Problem): string {
-  // Of each object, whether what is left comes after it.
-  const own = `Hit(MISS${', 1.0 - own'.repeat(problem.objects.length)})`;
+function mainOf(problem: Problem, { features, shapes }: Requirements): string {
+  const objects = Object.values(shapes).reduce((sum, count) => sum + count, 0);
+  // By number, or of each object whether what is left comes after it.
+  const left = features.includes('indexed') ? ', own > 0.5 ? 0 : -1' : ', 1.0 - own'.repeat(objects);
+  const own = `Hit(MISS${left})`;
   const start = isFromCamera(problem) ? 'fromCamera(scene)' : `fromPoint(scene, origin, ${own})`;
   return probe.replace('= START', `= ${start}`).replace('= OWN', `= ${own}`);
 }
