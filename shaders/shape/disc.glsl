@@ -50,7 +50,11 @@ float discOcclusion(Disc s, DiscFrom from, vec3 d, float limit, float own) {
 
 // The unit normal on the side that d comes from, times a weight.
 vec3 discNormal(Disc s, DiscFrom at, vec3 d, float weight) {
-  return (discAlongNormal(s, d) > 0.0 ? -weight : weight) * s.normal;
+  vec3 n = s.normal;
+#ifdef WIDE_RANGE
+  n += s.normal2 + s.normal3;
+#endif
+  return (discAlongNormal(s, d) > 0.0 ? -weight : weight) * n;
 }
 
 #ifdef DISC_CHECKER

@@ -12,6 +12,14 @@ struct PlaneFrom {
 };
 
 #ifdef TILTED_PLANE
+vec3 planeDown(Plane s) {
+#ifdef WIDE_RANGE
+  return s.down + (s.down2 + s.down3);
+#else
+  return s.down;
+#endif
+}
+
 float planeDescent(Plane s, vec3 v) {
 #ifdef WIDE_RANGE
   return splitDot(s.down, s.down2, s.down3, v);
@@ -37,6 +45,9 @@ PlaneFrom planeFromCamera(Plane s) {
   return PlaneFrom(s.height);
 }
 
+#ifdef THROUGH
+#include "shape/plane-through.glsl"
+#else
 // The distance to the plane, or MISS. A ray that leaves the plane itself (own = 1) never meets it again: the sign of y
 // says so where the plane is level, but where it is tilted rounding may turn a ray that just grazes it.
 float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
@@ -53,11 +64,12 @@ float planeDistance(Plane s, PlaneFrom from, vec3 d, float own) {
 // The unit normal times a weight.
 vec3 planeNormal(Plane s, PlaneFrom from, vec3 d, float weight) {
 #ifdef TILTED_PLANE
-  return -weight * s.down;
+  return -weight * planeDown(s);
 #else
   return vec3(0.0, -weight * s.downY, 0.0);
 #endif
 }
+#endif
 
 #ifdef PLANE_CHECKER
 // The surface lengths (U, V) along the tangent and along normal × tangent, counted in cells.

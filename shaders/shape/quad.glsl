@@ -56,7 +56,11 @@ float quadOcclusion(Quad s, QuadFrom from, vec3 d, float limit, float own) {
 
 // The unit normal on the side that d comes from, times a weight.
 vec3 quadNormal(Quad s, QuadFrom at, vec3 d, float weight) {
-  return (quadAlongNormal(s, d) > 0.0 ? -weight : weight) * s.normal;
+  vec3 n = s.normal;
+#ifdef WIDE_RANGE
+  n += s.normal2 + s.normal3;
+#endif
+  return (quadAlongNormal(s, d) > 0.0 ? -weight : weight) * n;
 }
 
 #ifdef QUAD_CHECKER

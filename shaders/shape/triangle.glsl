@@ -73,7 +73,11 @@ float triangleOcclusion(Triangle s, TriangleFrom from, vec3 d, float limit, floa
 
 // The unit normal on the side that d comes from, times a weight.
 vec3 triangleNormal(Triangle s, TriangleFrom at, vec3 d, float weight) {
-  return (triangleAlongNormal(s, d) > 0.0 ? -weight : weight) * s.normal;
+  vec3 n = s.normal;
+#ifdef WIDE_RANGE
+  n += s.normal2 + s.normal3;
+#endif
+  return (triangleAlongNormal(s, d) > 0.0 ? -weight : weight) * n;
 }
 
 #ifdef TRIANGLE_CHECKER

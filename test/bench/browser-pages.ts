@@ -1,12 +1,12 @@
-/** Pages with the bench in them, in any of the engines. */
+/** Pages with a module of tests in them, in any of the engines. */
 import { build } from 'esbuild';
 import { chromium, firefox, webkit } from 'playwright';
 import { type Browser, launchOptions, needsWebDriver } from '../browsers.mjs';
 import { openWebKit } from '../webdriver.mjs';
 
-/** A page of its own, in which `bench` is what `page.ts` exports. */
+/** A page of its own, in which what the module exports is under the module's name. */
 export interface BenchPage {
-  /** Runs a function of the page's world, which sees its argument and `bench` only. */
+  /** Runs a function of the page's world, which sees its argument and the module only. */
   execute<A, R>(script: (argument: A) => R | Promise<R>, argument: A): Promise<R>;
   close(): Promise<void>;
 }
@@ -18,23 +18,32 @@ export interface BenchBrowser {
   close(): Promise<void>;
 }
 
+/** What the pages hold: `name` there is what the file `entry` exports. */
+interface PageModule {
+  readonly entry: string;
+  readonly name: string;
+}
+
+const BENCH: PageModule = { entry: 'test/bench/page.ts', name: 'bench' };
+
 /** Starts a browser that remembers nothing of earlier runs: no profile, and no programs that a driver compiled. */
-export async function startBrowser(browser: Browser): Promise<BenchBrowser> {
+export async function startBrowser(browser: Browser, module: PageModule = BENCH): Promise<BenchBrowser> {
   // Mesa keeps compiled shaders in the user's home, for all programs of that user.
   process.env.MESA_SHADER_CACHE_DISABLE = process.env.MESA_GLSL_CACHE_DISABLE = 'true';
-  code ??= await bundle();
+  const code = codes.get(module.name) ?? (await bundle(module));
+  codes.set(module.name, code);
   return needsWebDriver(browser) ? startWebDriver(browser, code) : startPlaywright(browser, code);
 }
 
-let code: string | undefined;
+const codes = new Map<string, string>();
 
-async function bundle(): Promise<string> {
+async function bundle({ entry, name }: PageModule): Promise<string> {
   const { outputFiles } = await build({
-    entryPoints: ['test/bench/page.ts'],
+    entryPoints: [entry],
     bundle: true,
     write: false,
     format: 'iife',
-    globalName: 'bench',
+    globalName: name,
     conditions: ['source'],
     loader: { '.glsl': 'text' },
   });

@@ -35,6 +35,7 @@ const scenes: { readonly [name: string]: object } = {
     objects: [...Array.from({ length: 11 }, (_, i) => ({ ...spheres[i % 3], center: [i, 0, 0] })), plane, plane],
     lights,
   },
+  'small things on a planet': { objects: [...spheres, { type: 'sphere', radius: 1e6 }, plane], lights },
   'all at once': {
     objects: [...spheres, plane, { ...plane, point: [0, -3, 0], checkerSize: 2 }],
     lights,

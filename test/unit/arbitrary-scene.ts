@@ -46,6 +46,8 @@ const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields
 /** Takes away fields that contradict each other; what is left is a valid node. */
 function consistent(node: Json): Json {
   const { direction, position, target, tangent, up, ...rest } = node;
+  if (node.type === 'cylinder') return { ...node, base: [1, 2, 0], top: [0, 1, -3] };
+  if (node.type === 'cone') return { ...node, base: [1, 2, 0], tip: [0, 1, -3] };
   if (node.type === 'quad') return { ...node, edgeU: [1, 2, 0], edgeV: [0, 1, -3] };
   if (node.type === 'triangle') return { ...node, a: [-1, 0, 2], b: [4, 0, 0], c: [0, 7, 1] };
   if (node.type !== 'directional') return node.type === 'plane' || node.type === 'disc' ? { ...rest } : node;

@@ -11,6 +11,8 @@ const unit = (v: unknown): Vec3 => {
   return [x / largest, y / largest, z / largest];
 };
 
+const isSame = (a: unknown, b: unknown): boolean => !!a && !!b && length(subtract(a as Vec3, b as Vec3)) === 0;
+
 const isFlat = (a: Vec3, b: Vec3, c: Vec3): boolean =>
   parallel(subtract(b, a), subtract(c, a)) || parallel(subtract(c, b), subtract(a, b));
 
@@ -21,6 +23,8 @@ const rules: { readonly [label: string]: (node: NodeValues) => readonly (string 
   disc: ({ normal, tangent }) => [
     !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
   ],
+  cylinder: ({ base, top }) => [isSame(base, top) && 'top must not be the base: the cylinder would have no height'],
+  cone: ({ base, tip }) => [isSame(base, tip) && 'tip must not be in the base: the cone would have no height'],
   quad: ({ edgeU, edgeV }) => [
     !!edgeU && !!edgeV && parallel(edgeU, edgeV) && 'edges must not be parallel: the quad would have no area',
   ],

@@ -136,6 +136,8 @@ function readNumber(value: unknown): number | undefined {
 interface VectorOptions<D> extends Options<Vec3, D> {
   /** Refuses the vector of zeros, which has no direction. */
   readonly nonzero?: boolean;
+  /** Refuses components that are not above 0. */
+  readonly positive?: boolean;
 }
 
 /** Three numbers: `[x, y, z]`, or `"x y z"` with blanks or commas between. */
@@ -143,16 +145,17 @@ export function vector<D extends Vec3 | undefined = undefined>(
   doc: string,
   options: VectorOptions<D> = {},
 ): Field<Vec3 | D> {
-  const expected = new Mismatch(
-    options.nonzero ? 'must be three numbers "x y z", not all 0' : 'must be three numbers "x y z"',
-  );
+  const { nonzero, positive } = options;
+  const expected = new Mismatch(`must be three numbers "x y z"${positive ? ' above 0' : nonzero ? ', not all 0' : ''}`);
   return field('vector', doc, options, {
     read: (value) => {
       const v = readTriple(value);
-      const valid = v?.every((n) => Math.abs(n) <= LARGEST_LENGTH) && !(options.nonzero && v.every((n) => n === 0));
+      const valid =
+        v?.every((n) => Math.abs(n) <= LARGEST_LENGTH && !(positive && n <= 0)) &&
+        !(nonzero && v.every((n) => n === 0));
       return v && valid ? v : expected;
     },
-    limits: { nonzero: options.nonzero },
+    limits: { nonzero, above: positive ? 0 : undefined },
   });
 }
 

@@ -2,7 +2,7 @@
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
 import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
-import { indexedObjects, shapeFile, shapeGlsl } from './parts.ts';
+import { indexedObjects, moreGlslFiles, shapeFile, shapeGlsl } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
@@ -25,10 +25,12 @@ export interface ShaderOptions {
    * read a varying much faster than a uniform; GPUs do not.
    */
   readonly varyings?: number;
+  /** Text that stands in for `trace.frag.glsl`: the main function of a test, which calls the others with their numbers. */
+  readonly main?: string;
 }
 
 /** The vertex and fragment shader of a scene with these requirements. */
-export function generateShader(required: Requirements, { varyings = 0 }: ShaderOptions = {}): ShaderSource {
+export function generateShader(required: Requirements, { varyings = 0, main }: ShaderOptions = {}): ShaderSource {
   const indexed = required.features.includes('indexed');
   const gapless = sceneLayout(required, { gapless: true });
   // One more row is for the camera ray.
@@ -37,7 +39,9 @@ export function generateShader(required: Requirements, { varyings = 0 }: ShaderO
   const view = viewLayout(!!rows);
   const files = {
     ...glslFiles,
+    ...moreGlslFiles,
     ...Object.fromEntries(presentKinds(required).map((kind) => [shapeFile(kind), shapeGlsl(kind)])),
+    ...(main === undefined ? {} : { 'trace.frag.glsl': main }),
     'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,
     'generated/view.glsl': blockGlsl(view),
     'generated/rows.glsl': rows?.vertex ?? '',

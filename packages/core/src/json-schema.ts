@@ -72,8 +72,12 @@ const valueSchemas: { readonly [K in Field<unknown>['kind']]: (limits: Limits) =
     ...(above === undefined ? { minimum: min } : { exclusiveMinimum: above }),
     maximum: max,
   }),
-  vector: ({ nonzero }) => ({
-    ...triple({ type: 'number', minimum: -LARGEST_LENGTH, maximum: LARGEST_LENGTH }),
+  vector: ({ nonzero, above }) => ({
+    ...triple({
+      type: 'number',
+      ...(above === undefined ? { minimum: -LARGEST_LENGTH } : { exclusiveMinimum: above }),
+      maximum: LARGEST_LENGTH,
+    }),
     ...(nonzero ? { contains: { not: { const: 0 } } } : {}),
   }),
   color: colorSchema,

@@ -1,20 +1,40 @@
 /** What scenes need that hold other shapes than spheres and planes, or many of them. Importing this makes it known. */
+import boxGlsl from '../../../shaders/shape/box.glsl';
+import coneGlsl from '../../../shaders/shape/cone.glsl';
+import convexGlsl from '../../../shaders/shape/convex.glsl';
+import cylinderGlsl from '../../../shaders/shape/cylinder.glsl';
 import discGlsl from '../../../shaders/shape/disc.glsl';
+import planeThrough from '../../../shaders/shape/plane-through.glsl';
 import quadGlsl from '../../../shaders/shape/quad.glsl';
+import sphereThrough from '../../../shaders/shape/sphere-through.glsl';
 import triangleGlsl from '../../../shaders/shape/triangle.glsl';
 import { indexedObjects } from './indexed-objects.ts';
 import { registerParts } from './parts.ts';
+import { box } from './primitives/box-shape.ts';
+import { cone } from './primitives/cone-shape.ts';
+import { cylinder } from './primitives/cylinder-shape.ts';
 import { disc } from './primitives/disc-shape.ts';
 import { quad } from './primitives/quad-shape.ts';
 import { triangle } from './primitives/triangle-shape.ts';
 
-const moreShapes = {
+const shapes = {
   disc: { primitive: disc, glsl: discGlsl },
   quad: { primitive: quad, glsl: quadGlsl },
+  box: { primitive: box, glsl: boxGlsl },
+  cylinder: { primitive: cylinder, glsl: cylinderGlsl },
+  cone: { primitive: cone, glsl: coneGlsl },
   triangle: { primitive: triangle, glsl: triangleGlsl },
 } as const;
 
-registerParts(moreShapes, indexedObjects);
+registerParts({
+  shapes,
+  files: {
+    'shape/convex.glsl': convexGlsl,
+    'shape/plane-through.glsl': planeThrough,
+    'shape/sphere-through.glsl': sphereThrough,
+  },
+  indexedObjects,
+});
 
 /** The kinds that are known from here on. */
-export const moreKinds: readonly string[] = Object.keys(moreShapes);
+export const moreKinds: readonly string[] = Object.keys(shapes);

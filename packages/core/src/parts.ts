@@ -32,10 +32,21 @@ type ObjectsWriter = (required: Requirements, scene: BlockLayout) => string;
 
 let indexed: ObjectsWriter | undefined;
 
-/** Makes the other parts known; see `more-parts.ts`. */
-export function registerParts(shapes: { readonly [K in MoreKinds]: Registered }, indexedObjects: ObjectsWriter): void {
-  for (const [kind, shape] of Object.entries(shapes)) registered.set(kind, shape);
-  indexed = indexedObjects;
+/** Shader files by name, but for those of `glslFiles` and of the shapes. */
+export const moreGlslFiles: { [file: string]: string } = {};
+
+/** What comes with `more-parts.ts`. */
+export interface MoreParts {
+  readonly shapes: { readonly [K in MoreKinds]: Registered };
+  readonly files: { readonly [file: string]: string };
+  readonly indexedObjects: ObjectsWriter;
+}
+
+/** Makes the other parts known. */
+export function registerParts(parts: MoreParts): void {
+  for (const [kind, shape] of Object.entries(parts.shapes)) registered.set(kind, shape);
+  Object.assign(moreGlslFiles, parts.files);
+  indexed = parts.indexedObjects;
 }
 
 /** Whether everything is there. */

@@ -26,6 +26,8 @@ export const features = [
   'reflections',
   'shadows',
   'inside',
+  // Rays pass through surfaces: they start on any side of what they meet.
+  'through',
   'wideRange',
   'indexed',
   'environment',

@@ -17,7 +17,8 @@ export const scale = (a: Vec3, factor: number): Vec3 => vec3.scale([0, 0, 0], a,
 export const addScaled = (a: Vec3, b: Vec3, factor: number): Vec3 => vec3.scaleAndAdd([0, 0, 0], a, b, factor) as Fresh;
 export const cross = (a: Vec3, b: Vec3): Vec3 => vec3.cross([0, 0, 0], a, b) as Fresh;
 export const dot = (a: Vec3, b: Vec3): number => vec3.dot(a, b);
-export const mix = (a: Vec3, b: Vec3, t: number): Vec3 => vec3.lerp([0, 0, 0], a, b, t) as Fresh;
+/** Exact at both ends: a where t is 0, b where it is 1. */
+export const mix = (a: Vec3, b: Vec3, t: number): Vec3 => addScaled(scale(a, 1 - t), b, t);
 export const negate = (a: Vec3): Vec3 => vec3.negate([0, 0, 0], a) as Fresh;
 
 /** Euclidean length, right even where the squares leave the range of f64. */

@@ -2,6 +2,9 @@
  * The closed list of primitives: what an author may say of them. A kind added here is missed by the compiler wherever it is
  * not yet handled. What else the engine must know of a kind is in `registry.ts`.
  */
+import { boxTable } from './box.ts';
+import { coneTable } from './cone.ts';
+import { cylinderTable } from './cylinder.ts';
 import { discTable } from './disc.ts';
 import { plane } from './plane.ts';
 import { quadTable } from './quad.ts';
@@ -13,6 +16,9 @@ export const primitives = {
   plane: { doc: plane.doc, fields: plane.fields },
   disc: discTable,
   quad: quadTable,
+  box: boxTable,
+  cylinder: cylinderTable,
+  cone: coneTable,
   triangle: triangleTable,
 } as const;
 

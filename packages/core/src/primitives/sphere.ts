@@ -1,6 +1,7 @@
 import { number, vector } from '../fields.ts';
 import { toFrame } from '../frame.ts';
-import { length, subtract, type Vec3 } from '../vector.ts';
+import { splitParts } from '../split-parts.ts';
+import { length, scale, subtract, type Vec3 } from '../vector.ts';
 import { definePrimitive } from './primitive.ts';
 
 export const sphere = definePrimitive({
@@ -15,11 +16,17 @@ export const sphere = definePrimitive({
     { name: 'curvature', type: 'float' },
     { name: 'power', type: 'float' },
     { name: 'cells', type: 'float', when: 'sphereChecker' },
+    { name: 'centerLow', type: 'vec3', when: 'wideRange' },
+    { name: 'half1', type: 'vec3', when: 'wideRange' },
+    { name: 'half2', type: 'vec3', when: 'wideRange' },
+    { name: 'half3', type: 'vec3', when: 'wideRange' },
   ],
   pack({ center, radius }, frame, { side, checkerSize }) {
     const c = toFrame(frame, center);
     const r = radius * frame.scale;
     const distance = length(c);
+    // The frame has lengths below 2, and `splitParts` takes those up to 1.
+    const [half1, half2, half3] = splitParts(scale(c, 0.5));
     return {
       center: c,
       radius2: r * r,
@@ -29,9 +36,24 @@ export const sphere = definePrimitive({
       power: (distance - r) * (distance + r),
       // Cells along one radian.
       cells: radius / checkerSize,
+      // What f32 leaves of the centre.
+      centerLow: subtract(c, c.map(Math.fround) as unknown as Vec3),
+      half1,
+      half2,
+      half3,
     };
   },
-  absent: { center: [0, 0, 0], radius2: 0, curvature: 0, power: 0, cells: 0 },
+  absent: {
+    center: [0, 0, 0],
+    radius2: 0,
+    curvature: 0,
+    power: 0,
+    cells: 0,
+    centerLow: [0, 0, 0],
+    half1: [0, 0, 0],
+    half2: [0, 0, 0],
+    half3: [0, 0, 0],
+  },
   bounds: ({ center, radius }) => ({
     min: center.map((x) => x - radius) as unknown as Vec3,
     max: center.map((x) => x + radius) as unknown as Vec3,

@@ -4,6 +4,9 @@ import '../../more-parts.ts';
 import type { Shape } from '../../schema.ts';
 import type { Vec3 } from '../../vector.ts';
 import type { Ray } from '../ray.ts';
+import { boxDistance, boxLengths, boxNormal } from './box.ts';
+import { coneDistance, coneLengths, coneNormal } from './cone.ts';
+import { cylinderDistance, cylinderLengths, cylinderNormal } from './cylinder.ts';
 import { discDistance, discLengths, discNormal } from './disc.ts';
 import { planeDistance, planeLengths, planeNormal } from './plane.ts';
 import { quadDistance, quadLengths, quadNormal } from './quad.ts';
@@ -24,6 +27,9 @@ const tracedShapes: { readonly [K in ShapeKind]: TracedShape<K> } = {
   plane: { distance: planeDistance, normal: planeNormal, lengths: planeLengths },
   disc: { distance: discDistance, normal: discNormal, lengths: discLengths },
   quad: { distance: quadDistance, normal: quadNormal, lengths: quadLengths },
+  box: { distance: boxDistance, normal: boxNormal, lengths: boxLengths },
+  cylinder: { distance: cylinderDistance, normal: cylinderNormal, lengths: cylinderLengths },
+  cone: { distance: coneDistance, normal: coneNormal, lengths: coneLengths },
   triangle: { distance: triangleDistance, normal: triangleNormal, lengths: triangleLengths },
 };
 

@@ -1,0 +1,21 @@
+// What convex solids share: a line is inside of one from t.x to t.y, or never where t.x > t.y.
+
+// The nearest way in or out that is ahead, or MISS. Of a ray that leaves the solid's own surface (own = 1), the crossing
+// nearer to 0 is the one where it starts: whatever was rounded, it is left out.
+float convexDistance(vec2 t, float own) {
+  float ahead = t.x > 0.0 ? t.x : t.y;
+  float other = t.x + t.y > 0.0 ? t.y : -1.0;
+  float nearest = own > 0.5 ? other : ahead;
+  return mix(MISS, nearest, t.x <= t.y && nearest > 0.0 && nearest < MISS);
+}
+
+// The part of the line for which t rate <= height.
+vec2 belowPlane(float rate, float height) {
+  float t = height / rate;
+  if (rate == 0.0) return height < 0.0 ? vec2(MISS, -MISS) : vec2(-MISS, MISS);
+  return rate > 0.0 ? vec2(-MISS, t) : vec2(t, MISS);
+}
+
+vec2 common(vec2 a, vec2 b) {
+  return vec2(max(a.x, b.x), min(a.y, b.y));
+}

@@ -1,0 +1,140 @@
+/** `npm run truth`: how right the reference and the GPU are, by numbers that this project did not make. See HELP. */
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { ENGINES } from '../browsers.mjs';
+import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tables.ts';
+import { Gpu } from './gpu-side.ts';
+import { isKind } from './reference-side.ts';
+import { printReport, type Truth } from './report.ts';
+import { type BrdfRow, brokenLimits, quantile, type VectorRow, vectorRows, type WatertightRow } from './rows.ts';
+import { parseLines, type VectorCase, vectorKinds, type WatertightCase } from './vector-cases.ts';
+import { askReference, judgeCamera, judgeReference, judgeSecondary, judgeTextbook, watertightRow } from './vectors.ts';
+
+const HELP = `npm run truth -- [options]
+
+Measures the f64 reference and the GPU path against ground truth that this project did not compute.
+
+  --data DIR      the truth (default: test/truth/data)
+  --engine NAME   cpu (the reference alone), or the GPU path alone in chromium, firefox or webkit
+                  (default: cpu and chromium). On software renderers, programs read a scene in two ways;
+                  the worse answer counts.
+  --only PART     vectors, brdf or images
+  --scene NAME    of the images, this one
+  --json FILE     writes all numbers there
+
+Ends with 1 when a limit is broken.`;
+
+const PARTS = ['vectors', 'brdf', 'images'];
+
+const { values: options } = parseArgs({
+  options: {
+    data: { type: 'string', default: 'test/truth/data' },
+    engine: { type: 'string' },
+    only: { type: 'string' },
+    scene: { type: 'string' },
+    json: { type: 'string' },
+    help: { type: 'boolean', default: false },
+  },
+});
+
+function check(option: string, value: string | undefined, allowed: readonly string[]): void {
+  if (value !== undefined && !allowed.includes(value)) {
+    throw new Error(`--${option} takes ${allowed.join(', ')}, not ${value}`);
+  }
+}
+
+const lines = <T>(...path: string[]): readonly T[] => parseLines(readFileSync(join(options.data, ...path), 'utf8'));
+
+const wants = (part: string): boolean => (options.only ?? part) === part && (part === 'images' || !options.scene);
+
+interface VectorResult {
+  readonly rows: readonly VectorRow[];
+  readonly textbook: readonly VectorRow[];
+  readonly watertight: readonly WatertightRow[];
+  readonly skipped: readonly string[];
+}
+
+async function measureVectors(onCpu: boolean, gpu: Gpu | undefined): Promise<VectorResult> {
+  const all = lines<VectorCase>('vectors', 'rays.jsonl');
+  const cases = all.filter(({ prim }) => isKind(prim));
+  const rows: VectorRow[] = [];
+  const watertight: WatertightRow[] = [];
+  const triangles = isKind('triangle') ? lines<WatertightCase>('vectors', 'watertight.jsonl') : [];
+  if (onCpu) {
+    rows.push(...vectorRows('reference', judgeReference(cases)));
+    if (triangles.length > 0) watertight.push(await watertightRow('reference', triangles, askReference));
+  }
+  if (gpu) {
+    rows.push(...vectorRows('gpu-camera', await judgeCamera(cases, gpu.ask)));
+    rows.push(...vectorRows('gpu-secondary', await judgeSecondary(cases, gpu.ask)));
+    for (const side of triangles.length > 0 ? (['gpu-camera', 'gpu-secondary'] as const) : []) {
+      watertight.push(await watertightRow(side, triangles, gpu.ask));
+    }
+  }
+  const missing = vectorKinds.filter((kind) => !isKind(kind));
+  const skipped = [...missing, ...(triangles.length > 0 ? [] : ['watertight'])].map((what) => `vectors of ${what}`);
+  return { rows, textbook: vectorRows('textbook', judgeTextbook(cases)), watertight, skipped };
+}
+
+async function measureBrdf(onCpu: boolean, gpu: Gpu | undefined): Promise<readonly BrdfRow[]> {
+  const rows: BrdfRow[] = [];
+  for (const [table, caseOf] of Object.entries(brdfTables)) {
+    const cases = lines<never>('brdf', `${table}.jsonl`).map(caseOf);
+    if (onCpu)
+      rows.push(
+        brdfRow(
+          'reference',
+          table,
+          cases,
+          cases.map(({ reference }) => reference()),
+        ),
+      );
+    if (gpu) rows.push(brdfRow('gpu', table, cases, await gpu.reflectance(cases.map(({ question }) => question))));
+  }
+  return rows;
+}
+
+function brdfRow(
+  side: BrdfRow['side'],
+  table: string,
+  cases: readonly BrdfCase[],
+  values: readonly (readonly number[])[],
+): BrdfRow {
+  const errors = cases.map((one, i) => brdfError(values[i] ?? [], one, side));
+  return { side, table, cases: cases.length, p99: quantile(errors, 0.99), max: quantile(errors, 1) };
+}
+
+async function measure(): Promise<Truth> {
+  const { engine } = options;
+  const onCpu = engine === undefined || engine === 'cpu';
+  const gpu = engine === 'cpu' ? undefined : await Gpu.start(engine ?? 'chromium');
+  try {
+    const vectors = wants('vectors') ? await measureVectors(onCpu, gpu) : undefined;
+    const { rows = [], textbook = [], watertight = [] } = vectors ?? {};
+    const brdf = wants('brdf') ? await measureBrdf(onCpu, gpu) : [];
+    const noTables = wants('brdf') ? skippedTables.map((table) => `brdf ${table}`) : [];
+    return {
+      vectors: rows,
+      watertight,
+      brdf,
+      images: [],
+      textbook,
+      skipped: [...(vectors?.skipped ?? []), ...noTables],
+      broken: brokenLimits(rows, watertight),
+    };
+  } finally {
+    await gpu?.close();
+  }
+}
+
+if (options.help) {
+  console.log(HELP);
+} else {
+  check('engine', options.engine, ['cpu', ...ENGINES]);
+  check('only', options.only, PARTS);
+  const truth = await measure();
+  printReport(truth);
+  if (options.json) writeFileSync(options.json, `${JSON.stringify(truth, null, 2)}\n`);
+  if (truth.broken.length > 0) process.exitCode = 1;
+}

@@ -1,0 +1,40 @@
+// The f64 reference against intersections and reflectances that were computed elsewhere; `npm run truth` asks the GPU too.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { brdfError, brdfTables } from '../truth/brdf-tables.ts';
+import { isKind } from '../truth/reference-side.ts';
+import { brokenLimits, vectorRows } from '../truth/rows.ts';
+import { parseLines, type VectorCase, vectorKinds, type WatertightCase } from '../truth/vector-cases.ts';
+import { askReference, judgeReference, watertightRow } from '../truth/vectors.ts';
+
+const lines = <T>(file: string): readonly T[] =>
+  parseLines(readFileSync(new URL(`../truth/data/${file}.jsonl`, import.meta.url), 'utf8'));
+
+const cases = lines<VectorCase>('vectors/rays');
+
+for (const kind of vectorKinds.filter(isKind)) {
+  test(`rays meet a ${kind} where they should`, () => {
+    const rows = vectorRows('reference', judgeReference(cases.filter(({ prim }) => prim === kind)));
+    assert.ok(rows.length > 0);
+    assert.deepEqual(brokenLimits(rows, []), []);
+  });
+}
+
+if (isKind('triangle')) {
+  test('no ray slips through between triangles', async () => {
+    const row = await watertightRow('reference', lines<WatertightCase>('vectors/watertight'), askReference);
+    assert.ok(row.cases > 0);
+    assert.equal(row.lost, 0);
+  });
+}
+
+for (const [table, caseOf] of Object.entries(brdfTables)) {
+  test(`reflectance is as in the table ${table}`, () => {
+    const errors = lines<never>(`brdf/${table}`)
+      .map(caseOf)
+      .map((one) => brdfError(one.reference(), one, 'reference'));
+    assert.ok(errors.length > 0);
+    assert.ok(Math.max(...errors) < 64, `${Math.max(...errors)}`);
+  });
+}
