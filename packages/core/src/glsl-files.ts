@@ -12,6 +12,7 @@ import lights from '../../../shaders/light/lights.glsl';
 import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
 import plane from '../../../shaders/shape/plane.glsl';
 import sphere from '../../../shaders/shape/sphere.glsl';
+import torus from '../../../shaders/shape/torus.glsl';
 import splitDot from '../../../shaders/split-dot.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
@@ -22,7 +23,7 @@ import type { ShapeKind } from './primitives/index.ts';
 export const shapeFile = (kind: string): string => `shape/${kind}.glsl`;
 
 /** The file of each kind of shape. */
-const shapes: { readonly [K in ShapeKind]: string } = { sphere, plane };
+const shapes: { readonly [K in ShapeKind]: string } = { sphere, plane, torus };
 
 export const glslFiles: { readonly [file: string]: string } = {
   'arc-tangent.glsl': arcTangent,

@@ -4,8 +4,9 @@ import type { Member } from '../std140.ts';
 import { plane } from './plane.ts';
 import type { Primitive } from './primitive.ts';
 import { sphere } from './sphere.ts';
+import { torus } from './torus.ts';
 
-export const primitives = { sphere, plane } as const;
+export const primitives = { sphere, plane, torus } as const;
 
 export type ShapeKind = keyof typeof primitives;
 

@@ -5,6 +5,7 @@ import type { Vec3 } from '../../vector.ts';
 import type { Ray } from '../ray.ts';
 import { planeDistance, planeLengths, planeNormal } from './plane.ts';
 import { sphereDistance, sphereLengths, sphereNormal } from './sphere.ts';
+import { torusDistance, torusLengths, torusNormal } from './torus.ts';
 
 export interface TracedShape<K extends ShapeKind> {
   /** Distance t > 0 to the nearest intersection, or MISS; `own`: the ray leaves this very object. */
@@ -18,6 +19,7 @@ export interface TracedShape<K extends ShapeKind> {
 const tracedShapes: { readonly [K in ShapeKind]: TracedShape<K> } = {
   sphere: { distance: sphereDistance, normal: sphereNormal, lengths: sphereLengths },
   plane: { distance: planeDistance, normal: planeNormal, lengths: planeLengths },
+  torus: { distance: torusDistance, normal: torusNormal, lengths: torusLengths },
 };
 
 export const tracedShape = <K extends ShapeKind>(shape: Shape<K>): TracedShape<K> =>
