@@ -44,7 +44,7 @@ async function sceneFile(name: string): Promise<Scene> {
 describe('GPU against reference', function () {
   this.timeout(60_000);
 
-  for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'studio']) {
+  for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'rings', 'studio']) {
     it(`draws ${name} alike`, async () =>
       name === 'classic' ? agree(name, await sceneFile(name), 10, 4) : agree(name, await sceneFile(name)));
   }

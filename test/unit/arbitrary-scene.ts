@@ -44,9 +44,16 @@ const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields
 
 /** Takes away fields that contradict each other; what is left is a valid node. */
 function consistent(node: Json): Json {
+  if (node.type === 'torus') return withinRing(node);
   const { direction, position, target, tangent, up, ...rest } = node;
   if (node.type !== 'directional') return node.type === 'plane' ? { ...rest } : node;
   return direction ? { ...rest, direction } : rest;
+}
+
+/** A torus whose tube is thinner than its ring. */
+function withinRing({ radius = 1, tube = 1, ...rest }: Json): Json {
+  const [ring, thickness] = [Number(radius), Number(tube)];
+  return { ...rest, radius: ring, tube: (0.9 * ring * thickness) / (ring + thickness) };
 }
 
 /** A valid scene file as plain JSON data. */

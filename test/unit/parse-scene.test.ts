@@ -70,7 +70,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
   [
     'an unknown kind',
     { objects: [{ type: 'spere' }] },
-    ['objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: sphere, plane.'],
+    ['objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: sphere, plane, torus.'],
   ],
   [
     'a negative radius',

@@ -15,6 +15,10 @@ const rules: { readonly [label: string]: (node: NodeValues) => readonly (string 
   plane: ({ normal, tangent }) => [
     !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
   ],
+  torus: ({ radius, tube }) => [
+    (tube as number) >= (radius as number) &&
+      `tube must be below the radius, not ${tube} for a radius of ${radius}: it would fill its own hole`,
+  ],
   camera: ({ position, target }) => [
     !!position &&
       length(subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3)) === 0 &&

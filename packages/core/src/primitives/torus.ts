@@ -1,7 +1,7 @@
 import { number, vector } from '../fields.ts';
-import { type Frame, powerOfTwoBelow, toFrame } from '../frame.ts';
+import { powerOfTwoBelow, toFrame } from '../frame.ts';
 import { splitParts } from '../split-parts.ts';
-import { addScaled, dot, length, scale, subtract, type Vec3 } from '../vector.ts';
+import { addScaled, dot, length, normalize, scale, subtract, type Vec3 } from '../vector.ts';
 import { planeAxes } from './plane.ts';
 import { definePrimitive } from './primitive.ts';
 
@@ -40,7 +40,7 @@ export const torus = definePrimitive({
     const { normal, tangent } = planeAxes({ normal: axis });
     const fromRing = awayFromRing({ center, axis, radius }, frame.origin);
     const away = length(fromRing) * unit;
-    const parts = splitParts(scale(fromRing, 1 / Math.max(length(fromRing), Number.MIN_VALUE)));
+    const parts = splitParts(normalize(fromRing));
     return {
       center: toFrame(frame, center),
       // Ring units in one unit of the frame.
@@ -82,10 +82,12 @@ export const torus = definePrimitive({
   bounds: (shape) => {
     const { normal } = planeAxes({ normal: shape.axis });
     const reach = normal.map((x) => shape.radius * Math.sqrt(Math.max(1 - x * x, 0)) + shape.tube);
-    return { min: subtract(shape.center, reach as unknown as Vec3), max: addScaled(shape.center, reach as unknown as Vec3, 1) };
+    return {
+      min: subtract(shape.center, reach as unknown as Vec3),
+      max: addScaled(shape.center, reach as unknown as Vec3, 1),
+    };
   },
-  extent: ({ center, radius, tube }, frame) =>
-    Math.max(length(toFrame(frame, center)), (radius + tube) * frame.scale),
+  extent: ({ center, radius, tube }, frame) => Math.max(length(toFrame(frame, center)), (radius + tube) * frame.scale),
   size: ({ tube }) => tube,
   clearance: (shape, point) => Math.abs(length(awayFromRing(shape, point)) - shape.tube),
   side: (shape, point) => (length(awayFromRing(shape, point)) < shape.tube ? -1 : 1),
@@ -98,7 +100,7 @@ export const torus = definePrimitive({
 export const ringUnit = (radius: number): number => 1 / (4 * powerOfTwoBelow(radius));
 
 /** The way to a point from the nearest point of the ring's centre line. */
-function awayFromRing(
+export function awayFromRing(
   { center, axis, radius }: { readonly center: Vec3; readonly axis: Vec3; readonly radius: number },
   point: Vec3,
 ): Vec3 {

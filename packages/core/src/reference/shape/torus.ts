@@ -1,157 +1,168 @@
-/** Twin of shaders/shape/torus.glsl, which says where the formulas come from. */
+/** Twin of shaders/shape/torus.glsl, which says what the formulas are and where they come from. */
 import { planeAxes } from '../../primitives/plane.ts';
-import { ringUnit } from '../../primitives/torus.ts';
+import { awayFromRing, ringUnit } from '../../primitives/torus.ts';
 import type { Shape } from '../../schema.ts';
-import { addScaled, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../vector.ts';
+import { addScaled, cross, dot, length, negate, normalize, scale, subtract, type Vec3 } from '../../vector.ts';
 import { MISS, type Ray } from '../ray.ts';
 
-type Triple = readonly [number, number, number];
+/** The torus, its lengths in ring units. */
+interface Ring {
+  readonly axis: Vec3;
+  readonly radius: number;
+  readonly tube: number;
+}
 
-/** Distance t > 0 along the ray to the nearest point of the torus, or MISS. */
+/** A ray from its point nearest to the centre on; `level` and `across` are turned by a right angle. */
+interface Line {
+  readonly near: number;
+  readonly rest: number;
+  readonly height: number;
+  readonly climb: number;
+  readonly level: Vec3;
+  readonly across: Vec3;
+}
+
+/** The quartic s⁴ + 2 h s² + 4 j s + …, as far as it does not depend on the place. */
+interface Quartic {
+  readonly h: number;
+  readonly j: number;
+}
+
+/** A minimum, a maximum and a minimum in their order, or the values there. */
+type Stationary = readonly [first: number, peak: number, second: number];
+
+/** Where to look for a root, from a stationary point on. */
+interface Search {
+  readonly center: number;
+  readonly towards: 1 | -1;
+  readonly rising: 1 | -1;
+  readonly level: number;
+  readonly bound: number;
+}
+
+/** Distance t > 0 along the ray to the nearest point of the torus, or MISS. A ray that leaves it may meet it again. */
 export function torusDistance(shape: Shape<'torus'>, { origin, direction }: Ray, own: boolean): number {
   const unit = ringUnit(shape.radius);
-  const line = new Line(shape, scale(subtract(shape.center, origin), unit), direction, unit);
-  const t = line.distance(own);
-  return t === MISS ? MISS : t / unit;
+  const ring = { axis: normalize(shape.axis), radius: shape.radius * unit, tube: shape.tube * unit };
+  const c = scale(subtract(shape.center, origin), unit);
+  const line = torusLine(ring, c, direction);
+  const aside2 = line.height ** 2 + dot(line.level, line.level);
+  // With room for rounding.
+  if (aside2 > 1.001 * (ring.radius + ring.tube) ** 2) return MISS;
+
+  const twice = 2 * ring.radius * ring.radius;
+  const quartic = {
+    h: aside2 + (ring.radius - ring.tube) * (ring.radius + ring.tube) - twice * dot(line.across, line.across),
+    j: -twice * dot(line.level, line.across),
+  };
+  const away = awayFromRing({ center: c, ...ring }, [0, 0, 0]);
+  const inside = own ? dot(away, direction) < 0 : length(away) < ring.tube;
+  const search = torusSearch(ring, line, torusStationary(quartic), inside, own);
+  if (!search) return MISS;
+  const s = torusPowerStep(ring, line, torusPowerStep(ring, line, torusRoot(search, quartic)));
+  // A root that rounding has put behind the start is met at once.
+  return Math.max((line.near + (s - line.rest)) / unit, Number.MIN_VALUE);
 }
 
-/** A ray in units of about the ring's radius, counted from where it is nearest to the centre: s = 0. */
-class Line {
-  readonly #radius: number;
-  readonly #tube: number;
-  /** The nearest point: t = near + (s - rest). */
-  readonly #near: number;
-  readonly #rest: number;
-  /** Height over the ring's plane and what is level with it (turned by a right angle), and their growth with s. */
-  readonly #height: number;
-  readonly #climb: number;
-  readonly #level: Vec3;
-  readonly #across: Vec3;
-  /** s⁴ + 2 h s² + 4 j s + … has the sign of the ray's distance to the surface, but for directions of unit length. */
-  readonly #h: number;
-  readonly #j: number;
-  /** Of the origin: below 0 inside; and whether the ray gets away from the centre line. */
-  readonly #inside: boolean;
-  readonly #leaving: boolean;
-
-  constructor({ axis, radius, tube }: Shape<'torus'>, c: Vec3, d: Vec3, unit: number) {
-    const { normal } = planeAxes({ normal: axis });
-    this.#radius = radius * unit;
-    this.#tube = tube * unit;
-    const a = dot(d, d);
-    this.#near = dot(c, d) / a;
-    const roughly = addScaled(scale(c, -1), d, this.#near);
-    this.#rest = dot(roughly, d) / a;
-    const x = addScaled(roughly, d, -this.#rest);
-    this.#height = dot(x, normal);
-    this.#climb = dot(d, normal);
-    this.#level = cross(x, normal);
-    this.#across = cross(d, normal);
-    const squares = (this.#radius - this.#tube) * (this.#radius + this.#tube);
-    const ring2 = 2 * this.#radius * this.#radius;
-    this.#h = dot(x, x) + squares - ring2 * dot(this.#across, this.#across);
-    this.#j = -ring2 * dot(this.#level, this.#across);
-    const away = fromRing(this.#radius, normal, scale(c, -1));
-    this.#inside = length(away) < this.#tube;
-    this.#leaving = dot(away, d) > 0;
-  }
-
-  distance(own: boolean): number {
-    const start = this.#rest - this.#near;
-    const [first, peak, second] = stationary(this.#h, this.#j);
-    const values: Triple = [this.quartic(first), this.quartic(peak), this.quartic(second)];
-    const inside = own ? !this.#leaving : this.#inside;
-    // The valley that the ray enters at the side of its start, or leaves at the other one.
-    const atFirst = inside
-      ? start < (own ? (first + peak) / 2 : peak) && values[1] >= 0
-      : !own && start < first && values[0] < 0;
-    const atSecond = inside || (start < (own ? (peak + second) / 2 : second) && values[2] < 0);
-    if (!atFirst && !atSecond) return MISS;
-    const valley = atFirst ? first : second;
-    const depth = -(atFirst ? values[0] : values[2]);
-    const inner = atFirst === inside;
-    const rise = values[1];
-    // Between valley and peak, from whichever is nearer in value.
-    const down = inner && rise < depth;
-    const towards = inside === down ? -1 : 1;
-    const s = this.polished(
-      this.fromStationary(down ? peak : valley, towards, down ? -1 : 1, Math.max(down ? rise : depth, 0), inner ? 0.6 * Math.abs(peak - valley) : MISS),
-    );
-    return Math.max(this.#near + (s - this.#rest), Number.MIN_VALUE);
-  }
-
-  /** At s: how far the point is from the axis, and the square of its distance to the centre line less the tube's. */
-  at(s: number): { readonly fromAxis: number; readonly power: number; readonly slope: number } {
-    const level = addScaled(this.#level, this.#across, s);
-    const fromAxis = length(level);
-    const height = this.#height + s * this.#climb;
-    const away = Math.hypot(fromAxis - this.#radius, height);
-    const power = (away - this.#tube) * (away + this.#tube);
-    const widening = fromAxis > 0 ? dot(level, this.#across) / fromAxis : 0;
-    return { fromAxis, power, slope: 2 * ((fromAxis - this.#radius) * widening + height * this.#climb) };
-  }
-
-  quartic(s: number): number {
-    const { fromAxis, power } = this.at(s);
-    return power * (power + 4 * this.#radius * fromAxis);
-  }
-
-  fromStationary(center: number, towards: number, sign: number, level: number, limit: number): number {
-    const h = this.#h;
-    const linear = Math.max(4 * sign * towards * (center * (center * center + h) + this.#j), 0);
-    const half = 2 * towards * center;
-    const bend = 2 * (center * center + h);
-    const curvature = sign * (half * half + bend);
-    const twist = sign * 2 * half;
-    let v = Math.min(limit, limit === MISS ? Math.sqrt(Math.sqrt(level)) : MISS);
-    if (linear > 0) v = Math.min(v, level / linear);
-    if (curvature > 0) v = Math.min(v, Math.sqrt(level / curvature));
-    if (twist > 0) v = Math.min(v, Math.cbrt(level / twist));
-    for (let i = 0; i < 6; i++) {
-      const y = v + half;
-      const w = sign * (y * y + bend);
-      const slope = linear + v * (2 * w + 2 * v * sign * y);
-      if (slope > 0) v = Math.max(v - (v * (linear + v * w) - level) / slope, 0);
-    }
-    return center + towards * v;
-  }
-
-  polished(s: number): number {
-    for (let i = 0; i < 2; i++) {
-      const { power, slope } = this.at(s);
-      if (slope !== 0) s -= power / slope;
-    }
-    return s;
-  }
+function torusLine({ axis }: Ring, c: Vec3, d: Vec3): Line {
+  const near = dot(c, d) / dot(d, d);
+  const roughly = addScaled(negate(c), d, near);
+  const rest = dot(roughly, d) / dot(d, d);
+  const x = addScaled(roughly, d, -rest);
+  return { near, rest, height: dot(x, axis), climb: dot(d, axis), level: cross(x, axis), across: cross(d, axis) };
 }
 
-/** Where s⁴ + 2 h s² + 4 j s is stationary: minimum, maximum, minimum. */
-function stationary(h: number, j: number): Triple {
-  const J = Math.abs(j);
-  const u2 = Math.cbrt(J) ** 2;
-  let s = h < 0 ? Math.sqrt(u2 - h) : J > 0 ? J / (h + u2) : 0;
-  for (let i = 0; i < 6; i++) {
-    const slope = 3 * s * s + h;
-    if (slope > 0) s -= (s * (s * s + h) - J) / slope;
+/** At a place on the line: the power, how it grows, and the quartic. */
+function torusAt({ radius, tube }: Ring, { height, climb, level, across }: Line, place: number) {
+  const there = addScaled(level, across, place);
+  const fromAxis = length(there);
+  const beside = fromAxis - radius;
+  const over = height + place * climb;
+  const distance = Math.hypot(beside, over);
+  const power = (distance - tube) * (distance + tube);
+  const widening = fromAxis > 0 ? dot(there, across) / fromAxis : 0;
+  return { power, slope: 2 * (beside * widening + over * climb), quartic: power * (power + 4 * radius * fromAxis) };
+}
+
+/** One step of Newton's method on the power. */
+function torusPowerStep(ring: Ring, line: Line, place: number): number {
+  const { power, slope } = torusAt(ring, line, place);
+  return slope === 0 ? place : place - power / slope;
+}
+
+/** Enough from where the shader's 3 steps get: each doubles the digits. */
+const STEPS = 5;
+
+function torusStationary({ h, j }: Quartic): Stationary {
+  const size = Math.abs(j);
+  const square = Math.cbrt(size) ** 2;
+  let largest = h < 0 ? Math.sqrt(square - h) : size > 0 ? size / (h + square) : 0;
+  for (let i = 0; i < STEPS; i++) {
+    const slope = 3 * largest * largest + h;
+    if (slope > 0) largest -= (largest * (largest * largest + h) - size) / slope;
   }
-  const root = Math.sqrt(Math.max(-3 * s * s - 4 * h, 0));
-  const other = (s + root) / 2;
-  const middle = root > 0 ? J / (s * other) : s / 2;
-  return j > 0 ? [-s, middle, other] : [-other, -middle, s];
+  const root = Math.sqrt(Math.max(-3 * largest * largest - 4 * h, 0));
+  const least = (largest + root) / 2;
+  const middle = root > 0 ? size / (largest * least) : largest / 2;
+  return j > 0 ? [-largest, middle, least] : [-least, -middle, largest];
 }
 
-/** The way to a point x, relative to the centre, from the nearest point of the centre line. */
-function fromRing(radius: number, axis: Vec3, x: Vec3): Vec3 {
-  const level = addScaled(x, axis, -dot(axis, x));
-  const fromAxis = length(level);
-  return fromAxis > 0 ? addScaled(x, level, -radius / fromAxis) : x;
+function torusSearch(
+  ring: Ring,
+  line: Line,
+  stationary: Stationary,
+  inside: boolean,
+  own: boolean,
+): Search | undefined {
+  const [first, peak, second] = stationary;
+  const [atFirst, atPeak, atSecond] = stationary.map(
+    (place) => torusAt(ring, line, place).quartic,
+  ) as unknown as Stationary;
+  const start = line.rest - line.near;
+  const beforeFirst = !own && start < first;
+  const beforePeak = start < (own ? (first + peak) / 2 : peak);
+  const beforeSecond = start < (own ? (peak + second) / 2 : second);
+  const valleyIsFirst = inside ? beforePeak && atPeak >= 0 : beforeFirst && atFirst < 0;
+  if (!inside && !valleyIsFirst && !(beforeSecond && atSecond < 0)) return undefined;
+
+  const valley = valleyIsFirst ? first : second;
+  const depth = -(valleyIsFirst ? atFirst : atSecond);
+  const inner = valleyIsFirst === inside;
+  const down = inner && atPeak < depth;
+  const level = Math.max(down ? atPeak : depth, 0);
+  return {
+    center: down ? peak : valley,
+    towards: inside === down ? -1 : 1,
+    rising: down ? -1 : 1,
+    level,
+    bound: inner ? 0.6 * Math.abs(peak - valley) : Math.sqrt(Math.sqrt(level)),
+  };
 }
 
-/** The outward unit normal. */
-export const torusNormal = ({ center, axis, radius }: Shape<'torus'>, point: Vec3): Vec3 =>
-  normalize(fromRing(radius, planeAxes({ normal: axis }).normal, subtract(point, center)));
+function torusRoot({ center, towards, rising, level, bound }: Search, { h, j }: Quartic): number {
+  const curved = center * center + h;
+  const linear = Math.max(4 * rising * towards * (center * curved + j), 0);
+  const shift = 2 * towards * center;
+  const square = rising * (shift * shift + 2 * curved);
+  const cube = 2 * rising * shift;
+  let v = bound;
+  if (linear > 0) v = Math.min(v, level / linear);
+  if (square > 0) v = Math.min(v, Math.sqrt(level / square));
+  if (cube > 0) v = Math.min(v, Math.cbrt(level / cube));
+  for (let i = 0; i < STEPS; i++) {
+    const y = v + shift;
+    const w = rising * (y * y + 2 * curved);
+    const slope = linear + 2 * v * (w + v * rising * y);
+    // Roots are within 1 of the centre.
+    if (slope > 0) v = Math.min(Math.max(v - (v * (linear + v * w) - level) / slope, 0), 2);
+  }
+  return center + towards * v;
+}
 
-/** Arcs around the axis on the centre line, and around the tube from its outermost circle towards the axis' tip. */
+/** The outward unit normal at a point of the torus. */
+export const torusNormal = (shape: Shape<'torus'>, point: Vec3): Vec3 => normalize(awayFromRing(shape, point));
+
+/** Arc lengths around the axis on the ring's centre line, from the tangent, and around the tube from its outer circle. */
 export function torusLengths({ center, axis, radius, tube }: Shape<'torus'>, point: Vec3): readonly [number, number] {
   const { normal, tangent, bitangent } = planeAxes({ normal: axis });
   const x = subtract(point, center);
