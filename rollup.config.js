@@ -26,7 +26,7 @@ const withoutDocs = {
   name: 'without-docs',
   transform(code, path) {
     if (!/core\/src\/(schema|settings|primitives\/\w+)\.ts$/.test(path)) return undefined;
-    const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc: )(['"]).*?(?<!\\)\1/gs;
+    const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc:\s*)(['"]).*?(?<!\\)\1(?:\s*\+\s*'[^']*')*/gs;
     return { code: code.replace(text, "''"), map: null };
   },
 };

@@ -34,7 +34,7 @@ float boxDistance(Box s, BoxFrom from, vec3 d, float own) {
   vec2 x = boxSlab(from.low.x, from.high.x, d.x);
   vec2 y = boxSlab(from.low.y, from.high.y, d.y);
   vec2 z = boxSlab(from.low.z, from.high.z, d.z);
-  return convexDistance(common(x, common(y, z)), own);
+  return convexDistance(bothOf(x, bothOf(y, z)), own);
 }
 
 #ifdef SHADOWS

@@ -34,11 +34,8 @@ float coneAlongAxis(Cone s, vec3 v) {
 #endif
 }
 
-ConeFrom coneFrom(Cone s, vec3 o) {
-  vec3 v = s.tip - o;
-#ifdef WIDE_RANGE
-  v += s.tipLow;
-#endif
+// By the way to the tip.
+ConeFrom coneFromTip(Cone s, vec3 v) {
   vec3 w = coneAxis(s);
   float hv = coneAlongAxis(s, v);
   vec3 p = cross(w, cross(v, w));
@@ -49,6 +46,14 @@ ConeFrom coneFrom(Cone s, vec3 o) {
   return ConeFrom(v, p, hv, c, hv + s.height, false);
 #else
   return ConeFrom(v, p, hv, c, hv + s.height);
+#endif
+}
+
+ConeFrom coneFrom(Cone s, vec3 o) {
+#ifdef WIDE_RANGE
+  return coneFromTip(s, (s.tip - o) + s.tipLow);
+#else
+  return coneFromTip(s, s.tip - o);
 #endif
 }
 
@@ -90,7 +95,12 @@ vec2 coneNappe(Cone s, ConeFrom from, vec3 d, float dw) {
 
 float coneDistance(Cone s, ConeFrom from, vec3 d, float own) {
   float dw = coneAlongAxis(s, d);
-  return convexDistance(common(coneNappe(s, from, d, dw), belowPlane(dw, from.toBase)), own);
+  float start = 0.0;
+#ifdef WIDE_RANGE
+  start = approach(from.v, d, max(1.0, s.slope) * s.height);
+  if (start != 0.0) from = coneFromTip(s, from.v - start * d);
+#endif
+  return convexDistance(bothOf(coneNappe(s, from, d, dw), belowPlane(dw, from.toBase)) + start, own);
 }
 
 #ifdef SHADOWS

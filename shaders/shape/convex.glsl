@@ -16,6 +16,14 @@ vec2 belowPlane(float rate, float height) {
   return rate > 0.0 ? vec2(-MISS, t) : vec2(t, MISS);
 }
 
-vec2 common(vec2 a, vec2 b) {
+#ifdef WIDE_RANGE
+// How far a line runs to where it is nearest to a small solid, v being the way there: from that point on, all that is
+// compared is as small as the solid. 0 where the ray starts near it anyway.
+float approach(vec3 v, vec3 d, float size) {
+  return dot(v, v) > 64.0 * size * size ? dot(v, d) / dot(d, d) : 0.0;
+}
+#endif
+
+vec2 bothOf(vec2 a, vec2 b) {
   return vec2(max(a.x, b.x), min(a.y, b.y));
 }

@@ -15,6 +15,8 @@ struct CylinderFrom {
   // Near the camera: how far it is from there, perpendicular to the axis.
   bool near;
   vec3 o;
+  // The way to the base.
+  vec3 c;
 #endif
 };
 
@@ -52,15 +54,27 @@ CylinderFrom cylinderFrom(Cylinder s, vec3 o) {
   bool nearCaps = dot(o, o) < 0.01 * dot(s.base, s.base);
   toBase = mix(toBase, s.toBase - cylinderAlongAxis(s, o), nearCaps);
   float toTop = mix(toBase + s.height, s.toTop - cylinderAlongAxis(s, o), nearCaps);
-  return CylinderFrom(p, k, toBase, toTop, near, aside);
+  return CylinderFrom(p, k, toBase, toTop, near, aside, c);
 #else
   return CylinderFrom(p, k, toBase, toBase + s.height);
 #endif
 }
 
+#ifdef WIDE_RANGE
+// From far away, by the way to the base.
+CylinderFrom cylinderFromFar(Cylinder s, vec3 c) {
+  vec3 w = cylinderAxis(s);
+  vec3 p = cross(w, cross(c, w));
+  float size = sqrt(dotInOrder(p, p));
+  float toBase = cylinderAlongAxis(s, c);
+  float k = (size - s.radius) * (size + s.radius);
+  return CylinderFrom(p, k, toBase, toBase + s.height, false, vec3(0.0), c);
+}
+#endif
+
 CylinderFrom cylinderFromCamera(Cylinder s) {
 #ifdef WIDE_RANGE
-  return CylinderFrom(s.p, s.k, s.toBase, s.toTop, true, vec3(0.0));
+  return CylinderFrom(s.p, s.k, s.toBase, s.toTop, true, vec3(0.0), s.base);
 #else
   return CylinderFrom(s.p, s.k, s.toBase, s.toTop);
 #endif
@@ -88,8 +102,13 @@ vec2 cylinderSide(Cylinder s, CylinderFrom from, vec3 d) {
 
 float cylinderDistance(Cylinder s, CylinderFrom from, vec3 d, float own) {
   float rate = cylinderAlongAxis(s, d);
-  vec2 caps = common(belowPlane(rate, from.toTop), belowPlane(-rate, -from.toBase));
-  return convexDistance(common(cylinderSide(s, from, d), caps), own);
+  float start = 0.0;
+#ifdef WIDE_RANGE
+  start = approach(from.c, d, max(s.radius, s.height));
+  if (start != 0.0) from = cylinderFromFar(s, from.c - start * d);
+#endif
+  vec2 caps = bothOf(belowPlane(rate, from.toTop), belowPlane(-rate, -from.toBase));
+  return convexDistance(bothOf(cylinderSide(s, from, d), caps) + start, own);
 }
 
 #ifdef SHADOWS

@@ -1,4 +1,5 @@
 /** What the bench does in a page: draws a scene, or its floor, into a float target, with the renderer's own parts. */
+import '@ray-scene/core/parts';
 import {
   type CameraFrame,
   cameraFrame,

@@ -1,3 +1,4 @@
+import '@ray-scene/core/parts';
 import { expect } from '@open-wc/testing';
 import { parseScene, parseSettings } from '@ray-scene/core';
 import { QuarantineError, RenderDevice, Renderer } from '../../packages/ray-scene/src/renderer.ts';

@@ -44,7 +44,7 @@ async function sceneFile(name: string): Promise<Scene> {
 describe('GPU against reference', function () {
   this.timeout(60_000);
 
-  for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'studio']) {
+  for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'rings', 'studio']) {
     it(`draws ${name} alike`, async () =>
       name === 'classic' ? agree(name, await sceneFile(name), 10, 4) : agree(name, await sceneFile(name)));
   }
@@ -112,6 +112,39 @@ describe('GPU against reference', function () {
       ],
     },
     'a checkered ball': { camera, lights: [lamp], objects: [{ ...ball, checker: 'black', checkerSize: 0.3 }, floor] },
+    'a look from inside a mirror ring': {
+      camera: { position: [2, 0, 0], target: [1.9, 0.05, -1], fov: 80 },
+      lights: [{ ...lamp, position: [0, 0.1, 2], intensity: 9 }],
+      environment: { color: 'white' },
+      objects: [
+        { type: 'torus', radius: 2, tube: 0.6, metalness: 0.5, roughness: 0.3, checker: 'red', checkerSize: 0.4 },
+        { ...ball, center: [1.6, 0, -1.2], radius: 0.2, color: 'gold' },
+      ],
+    },
+    'a ball on a ring as large as a planet': {
+      camera: { position: [0, 1.7, 4], target: [0, 0.8, 0] },
+      lights: [{ type: 'directional', direction: [-2, -2, -1], intensity: 3 }],
+      objects: [
+        { type: 'torus', center: [6e6, -0.96e6, -0.28e6], axis: [0, 0.96, 0.28], radius: 6e6, tube: 1e6, specular: 0 },
+        { ...ball, center: [0, 0.48, 0.14], radius: 0.5, color: 'crimson' },
+      ],
+    },
+    'more rings than are written out one by one': {
+      camera: { position: [0, 4, 9] },
+      lights: [lamp, sun],
+      environment: { color: [0.1, 0.1, 0.2] },
+      objects: [
+        floor,
+        ...Array.from({ length: 10 }, (_, i) => ({
+          type: 'torus',
+          center: [2.5 * Math.cos(i), i / 8, 2.5 * Math.sin(i)],
+          axis: [Math.sin(3 * i), Math.cos(3 * i), Math.cos(i)],
+          radius: 0.5 + i / 20,
+          tube: 0.2,
+          metalness: i % 2,
+        })),
+      ],
+    },
     'nothing at all': { background: 'teal' },
     'more objects and lights than are written out one by one': {
       camera: { position: [0, 3, 9] },

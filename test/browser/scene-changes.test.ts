@@ -1,10 +1,11 @@
 // What one scene leaves behind in a renderer (features and places stay compiled) must not show in the next.
+import '@ray-scene/core/parts';
 import { expect } from '@open-wc/testing';
 import { parseScene, parseSettings, type Scene } from '@ray-scene/core';
 import { Renderer } from '../../packages/ray-scene/src/renderer.ts';
 import { drawn } from './drawn.ts';
 
-const names = ['classic', 'hello', 'metals', 'planes', 'planet', 'studio'];
+const names = ['classic', 'hello', 'metals', 'planes', 'planet', 'rings', 'studio'];
 const size = { width: 24, height: 16 };
 const sceneFile = async (name: string): Promise<Scene> =>
   parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text());

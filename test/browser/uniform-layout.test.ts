@@ -1,3 +1,4 @@
+import '@ray-scene/core/parts';
 import { expect } from '@open-wc/testing';
 import {
   type BlockLayout,

@@ -45,6 +45,7 @@ const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields
 
 /** Takes away fields that contradict each other; what is left is a valid node. */
 function consistent(node: Json): Json {
+  if (node.type === 'torus') return withinRing(node);
   const { direction, position, target, tangent, up, ...rest } = node;
   if (node.type === 'cylinder') return { ...node, base: [1, 2, 0], top: [0, 1, -3] };
   if (node.type === 'cone') return { ...node, base: [1, 2, 0], tip: [0, 1, -3] };
@@ -52,6 +53,12 @@ function consistent(node: Json): Json {
   if (node.type === 'triangle') return { ...node, a: [-1, 0, 2], b: [4, 0, 0], c: [0, 7, 1] };
   if (node.type !== 'directional') return node.type === 'plane' || node.type === 'disc' ? { ...rest } : node;
   return direction ? { ...rest, direction } : rest;
+}
+
+/** A torus whose tube is thinner than its ring. */
+function withinRing({ radius = 1, tube = 1, ...rest }: Json): Json {
+  const [ring, thickness] = [Number(radius), Number(tube)];
+  return { ...rest, radius: ring, tube: (0.9 * ring * thickness) / (ring + thickness) };
 }
 
 /** A valid scene file as plain JSON data. */

@@ -31,6 +31,10 @@ const rules: { readonly [label: string]: (node: NodeValues) => readonly (string 
   triangle: ({ a, b, c }) => [
     !!a && !!b && !!c && isFlat(a as Vec3, b as Vec3, c as Vec3) && 'corners must not be in a line: there is no area',
   ],
+  torus: ({ radius, tube }) => [
+    (tube as number) >= (radius as number) &&
+      `tube must be below the radius, not ${tube} for a radius of ${radius}: it would fill its own hole`,
+  ],
   camera: ({ position, target }) => [
     !!position &&
       length(subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3)) === 0 &&

@@ -2,13 +2,12 @@
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
 import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
-import { indexedObjects, moreGlslFiles, shapeFile, shapeGlsl } from './parts.ts';
+import { loadedParts, moreParts, shapeFile, shapeGlsl } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';
-import { rowCount, varyingRows } from './varying-rows.ts';
 
 export interface ShaderSource {
   readonly vertex: string;
@@ -34,12 +33,12 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   const indexed = required.features.includes('indexed');
   const gapless = sceneLayout(required, { gapless: true });
   // One more row is for the camera ray.
-  const rows = !indexed && rowCount(gapless.size) < varyings ? varyingRows(gapless) : undefined;
+  const rows = !indexed && gapless.size / 16 < varyings ? moreParts().rows.varyingRows(gapless) : undefined;
   const scene = rows ? gapless : sceneLayout(required);
   const view = viewLayout(!!rows);
   const files = {
     ...glslFiles,
-    ...moreGlslFiles,
+    ...loadedParts()?.files,
     ...Object.fromEntries(presentKinds(required).map((kind) => [shapeFile(kind), shapeGlsl(kind)])),
     ...(main === undefined ? {} : { 'trace.frag.glsl': main }),
     'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,
@@ -47,7 +46,8 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
     'generated/rows.glsl': rows?.vertex ?? '',
     'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
     'generated/objects.glsl':
-      shapeIncludes(required) + (indexed ? indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows)),
+      shapeIncludes(required) +
+      (indexed ? moreParts().indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows)),
   };
   const defined = definedNames(required);
   if (rows) defined.add('VARYINGS');

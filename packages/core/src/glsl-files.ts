@@ -13,7 +13,6 @@ import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl
 import splitDot from '../../../shaders/split-dot.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
-import varyingsVertex from '../../../shaders/varyings.vert.glsl';
 
 export const glslFiles: { readonly [file: string]: string } = {
   'arc-tangent.glsl': arcTangent,
@@ -30,5 +29,4 @@ export const glslFiles: { readonly [file: string]: string } = {
   'split-dot.glsl': splitDot,
   'surface.glsl': surface,
   'trace.frag.glsl': trace,
-  'varyings.vert.glsl': varyingsVertex,
 };

@@ -7,7 +7,9 @@ import discGlsl from '../../../shaders/shape/disc.glsl';
 import planeThrough from '../../../shaders/shape/plane-through.glsl';
 import quadGlsl from '../../../shaders/shape/quad.glsl';
 import sphereThrough from '../../../shaders/shape/sphere-through.glsl';
+import torusGlsl from '../../../shaders/shape/torus.glsl';
 import triangleGlsl from '../../../shaders/shape/triangle.glsl';
+import varyingsVertex from '../../../shaders/varyings.vert.glsl';
 import { indexedObjects } from './indexed-objects.ts';
 import { registerParts } from './parts.ts';
 import { box } from './primitives/box-shape.ts';
@@ -15,7 +17,9 @@ import { cone } from './primitives/cone-shape.ts';
 import { cylinder } from './primitives/cylinder-shape.ts';
 import { disc } from './primitives/disc-shape.ts';
 import { quad } from './primitives/quad-shape.ts';
+import { torus } from './primitives/torus-shape.ts';
 import { triangle } from './primitives/triangle-shape.ts';
+import { structFromRows, varyingRows } from './varying-rows.ts';
 
 const shapes = {
   disc: { primitive: disc, glsl: discGlsl },
@@ -23,17 +27,21 @@ const shapes = {
   box: { primitive: box, glsl: boxGlsl },
   cylinder: { primitive: cylinder, glsl: cylinderGlsl },
   cone: { primitive: cone, glsl: coneGlsl },
+  torus: { primitive: torus, glsl: torusGlsl },
   triangle: { primitive: triangle, glsl: triangleGlsl },
 } as const;
 
 registerParts({
   shapes,
   files: {
+    'varyings.vert.glsl': varyingsVertex,
+
     'shape/convex.glsl': convexGlsl,
     'shape/plane-through.glsl': planeThrough,
     'shape/sphere-through.glsl': sphereThrough,
   },
   indexedObjects,
+  rows: { varyingRows, structFromRows },
 });
 
 /** The kinds that are known from here on. */

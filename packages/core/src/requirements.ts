@@ -54,7 +54,8 @@ function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeed
   const has = (feature: Feature): boolean => present.has(feature);
   const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
   const hasLights = total(lights) > 0;
-  const several = total(shapes) > 1;
+  // A ray that leaves a torus may meet the same one again.
+  const several = total(shapes) > 1 || shapes.torus > 0;
   const solid = shapeKinds.some((kind) => shapes[kind] > 0 && isSolid(kind));
 
   set('specular', has('specular') && has('dielectric'));

@@ -4,12 +4,12 @@
  * table look-up; see `indexed-objects.ts` for the same functions over many objects.
  */
 import { structName } from './pack-scene.ts';
+import { moreParts } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { isSolid } from './scene-needs.ts';
 import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
-import { structFromRows } from './varying-rows.ts';
 
 interface Part {
   /** Name in the shader: `sphere0`. */
@@ -49,7 +49,9 @@ function partsGlsl(scene: BlockLayout, fromRows: boolean): string {
     Array.from({ length: entry.count ?? 1 }, (_, i) => ({
       type: entry.struct.name,
       name: entry.count === undefined ? entry.name : partName(entry.name, i),
-      value: fromRows ? structFromRows(entry, i) : `${entry.name}${entry.count === undefined ? '' : `[${i}]`}`,
+      value: fromRows
+        ? moreParts().rows.structFromRows(entry, i)
+        : `${entry.name}${entry.count === undefined ? '' : `[${i}]`}`,
     })),
   );
   return `struct Parts {

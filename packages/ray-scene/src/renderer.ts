@@ -96,7 +96,7 @@ export class Renderer {
   /** The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there. */
   setScene(scene: Scene): void {
     this.#next = scene;
-    const loading = loadParts(scene);
+    const loading = loadParts(scene, this.#device.shaderOptions);
     if (!loading) this.#show(scene);
     loading?.then(
       () => {

@@ -9,6 +9,7 @@ import { discTable } from './disc.ts';
 import { plane } from './plane.ts';
 import { quadTable } from './quad.ts';
 import { sphere } from './sphere.ts';
+import { torusTable } from './torus.ts';
 import { triangleTable } from './triangle.ts';
 
 export const primitives = {
@@ -19,6 +20,7 @@ export const primitives = {
   box: boxTable,
   cylinder: cylinderTable,
   cone: coneTable,
+  torus: torusTable,
   triangle: triangleTable,
 } as const;
 

@@ -3,14 +3,14 @@ import { boxCorners } from '../../primitives/box-shape.ts';
 import type { Shape } from '../../schema.ts';
 import { subtract, type Vec3 } from '../../vector.ts';
 import type { Ray } from '../ray.ts';
-import { ALWAYS, common, convexDistance, type Interval, NEVER } from './convex.ts';
+import { ALWAYS, bothOf, convexDistance, type Interval, NEVER } from './convex.ts';
 
 /** Distance t > 0 along the ray to the nearest face, or MISS. */
 export function boxDistance(shape: Shape<'box'>, { origin, direction }: Ray, own: boolean): number {
   const { min, max } = boxCorners(shape);
   const [low, high] = [subtract(min, origin), subtract(max, origin)];
   const slabs = direction.map((d, i) => boxSlab(low[i] as number, high[i] as number, d));
-  return convexDistance(slabs.reduce(common), own);
+  return convexDistance(slabs.reduce(bothOf), own);
 }
 
 /** Along a slab, the line is inside always or never; on its face it is. */

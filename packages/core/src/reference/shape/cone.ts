@@ -4,7 +4,7 @@ import { perpendicular } from '../../primitives/cylinder-shape.ts';
 import type { Shape } from '../../schema.ts';
 import { addScaled, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../vector.ts';
 import type { Ray } from '../ray.ts';
-import { belowPlane, common, convexDistance, type Interval, NEVER } from './convex.ts';
+import { belowPlane, bothOf, convexDistance, type Interval, NEVER } from './convex.ts';
 
 const slopeOf = ({ base, tip, radius }: Shape<'cone'>): number => radius / length(subtract(base, tip));
 
@@ -13,7 +13,7 @@ export function coneDistance(shape: Shape<'cone'>, { origin, direction }: Ray, o
   const { axis } = coneAxes(shape);
   const nappe = coneNappe(slopeOf(shape), subtract(shape.tip, origin), axis, direction);
   const base = belowPlane(dot(axis, direction), dot(axis, subtract(shape.base, origin)));
-  return convexDistance(common(nappe, base), own);
+  return convexDistance(bothOf(nappe, base), own);
 }
 
 /** Where the line is inside of the nappe that holds the base; v leads to the tip. */

@@ -22,4 +22,4 @@ export function belowPlane(rate: number, height: number): Interval {
   return rate > 0 ? [ALWAYS[0], height / rate] : [height / rate, ALWAYS[1]];
 }
 
-export const common = (a: Interval, b: Interval): Interval => [Math.max(a[0], b[0]), Math.min(a[1], b[1])];
+export const bothOf = (a: Interval, b: Interval): Interval => [Math.max(a[0], b[0]), Math.min(a[1], b[1])];

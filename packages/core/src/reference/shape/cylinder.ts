@@ -3,7 +3,7 @@ import { perpendicular, roundAxes } from '../../primitives/cylinder-shape.ts';
 import type { Shape } from '../../schema.ts';
 import { cross, dot, length, scale, subtract, type Vec3 } from '../../vector.ts';
 import type { Ray } from '../ray.ts';
-import { ALWAYS, belowPlane, common, convexDistance, type Interval, NEVER } from './convex.ts';
+import { ALWAYS, belowPlane, bothOf, convexDistance, type Interval, NEVER } from './convex.ts';
 
 /** Distance t > 0 along the ray to the nearest part of the surface, or MISS. */
 export function cylinderDistance(shape: Shape<'cylinder'>, { origin, direction }: Ray, own: boolean): number {
@@ -12,7 +12,7 @@ export function cylinderDistance(shape: Shape<'cylinder'>, { origin, direction }
   const below = belowPlane(rate, dot(axis, subtract(shape.top, origin)));
   const above = belowPlane(-rate, -dot(axis, subtract(shape.base, origin)));
   const side = cylinderSide(shape.radius, perpendicular(subtract(shape.base, origin), axis), axis, direction);
-  return convexDistance(common(side, common(below, above)), own);
+  return convexDistance(bothOf(side, bothOf(below, above)), own);
 }
 
 /** Where the line is inside of the endless cylinder; p leads to its axis. */

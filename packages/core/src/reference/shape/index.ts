@@ -11,6 +11,7 @@ import { discDistance, discLengths, discNormal } from './disc.ts';
 import { planeDistance, planeLengths, planeNormal } from './plane.ts';
 import { quadDistance, quadLengths, quadNormal } from './quad.ts';
 import { sphereDistance, sphereLengths, sphereNormal } from './sphere.ts';
+import { torusDistance, torusLengths, torusNormal } from './torus.ts';
 import { triangleDistance, triangleLengths, triangleNormal } from './triangle.ts';
 
 export interface TracedShape<K extends ShapeKind> {
@@ -30,6 +31,7 @@ const tracedShapes: { readonly [K in ShapeKind]: TracedShape<K> } = {
   box: { distance: boxDistance, normal: boxNormal, lengths: boxLengths },
   cylinder: { distance: cylinderDistance, normal: cylinderNormal, lengths: cylinderLengths },
   cone: { distance: coneDistance, normal: coneNormal, lengths: coneLengths },
+  torus: { distance: torusDistance, normal: torusNormal, lengths: torusLengths },
   triangle: { distance: triangleDistance, normal: triangleNormal, lengths: triangleLengths },
 };
 
