@@ -9,6 +9,8 @@ const CONTENT = '<ray-camera position="0 0 5"></ray-camera><ray-sphere></ray-sph
 async function controlled(attributes = 'camera-controls'): Promise<RayScene> {
   const element = await sceneWith(CONTENT, attributes);
   await element.ready;
+  // They are loaded when an element first asks for them.
+  await import('../../packages/ray-scene/src/camera-controls.ts');
   return element;
 }
 
