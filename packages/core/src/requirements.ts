@@ -1,5 +1,5 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
-import { type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { shapeKinds } from './primitives/index.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { type Feature, features, isSolid, mergeNeeds, type SceneNeeds, sceneNeeds } from './scene-needs.ts';
 
@@ -28,26 +28,16 @@ export const mergeRequirements = (a: Requirements, b: Requirements): Requirement
 export const requirementsKey = ({ features: present, bounces, shapes, lights, materials }: Requirements): string =>
   JSON.stringify([present, present.includes('reflections') ? bounces : 1, shapes, lights, materials]);
 
-/** Up to so many objects (or lights) are written out one by one; more are gone through in loops, and found by number. */
+/**
+ * Up to so many spheres and planes (or lights) are written out one by one; more are gone through in loops, and found by
+ * number. So are all objects where there are others: those branch, and in `do` loops that branch SwiftShader never ends.
+ */
 const MOST_UNROLLED = 8;
-
-/** How many spheres an object counts for: written out too often, long shaders take drivers seconds to compile. */
-const LENGTH: { readonly [K in ShapeKind]: number } = {
-  sphere: 1,
-  plane: 1,
-  disc: 2,
-  quad: 2,
-  triangle: 2,
-  box: 4,
-  cylinder: 4,
-  cone: 4,
-  torus: 9,
-};
 
 function derive(needs: SceneNeeds): Requirements {
   const objects = total(needs.shapes);
-  const length = shapeKinds.reduce((sum, kind) => sum + LENGTH[kind] * needs.shapes[kind], 0);
-  const indexed = length > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
+  const { sphere, plane } = needs.shapes;
+  const indexed = objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
   const places = <C extends { readonly [kind: string]: number }>(counts: C): C =>
     (indexed ? Object.fromEntries(Object.entries(counts).map(([kind, n]) => [kind, roundedUp(n)])) : counts) as C;
   const present = derivedFeatures(needs, indexed);
