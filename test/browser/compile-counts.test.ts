@@ -1,6 +1,6 @@
 import '@ray-scene/core/parts';
 import { expect } from '@open-wc/testing';
-import { parseScene, parseSettings, type Scene } from '@ray-scene/core';
+import { parseScene, parseSettings, requirements, resolveScene, type Scene } from '@ray-scene/core';
 import { RenderDevice, Renderer } from '../../packages/ray-scene/src/renderer.ts';
 
 /** A small generator, so that a failure can be repeated. */
@@ -39,6 +39,13 @@ function randomScene(random: (min: number, max: number) => number): Scene {
   });
 }
 
+/** One whose lengths do not differ so much that positions take two words, which is an edge between features. */
+function narrowScene(random: Parameters<typeof randomScene>[0]): Scene {
+  const scene = randomScene(random);
+  const { features } = requirements(resolveScene(scene), { bounces: 6 });
+  return features.includes('wideRange') ? narrowScene(random) : scene;
+}
+
 const withObjects = (...objects: object[]): Scene => parseScene({ objects, lights: [{ type: 'directional' }] });
 const sphere = { type: 'sphere' };
 const plane = { type: 'plane', point: [0, -1, 0] };
@@ -71,10 +78,10 @@ describe('compilation', () => {
 
   it('happens neither for numbers that change nor for a camera that moves (seed 1)', () => {
     const random = randomNumbers(1);
-    compilesFor(randomScene(random));
+    compilesFor(narrowScene(random));
     const before = device.compileCount;
     for (let i = 0; i < 1000; i++) {
-      renderer.setScene(randomScene(random));
+      renderer.setScene(narrowScene(random));
       if (i % 4 === 0) renderer.draw(1);
     }
     expect(device.compileCount).to.equal(before);
