@@ -1,22 +1,16 @@
 // Builds both packages: ES modules whose dependencies stay imports, their types, and one minified file that needs nothing.
 import { readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { brotliCompressSync } from 'node:zlib';
 import { nodeResolve } from '@rollup/plugin-node-resolve';
 import terser from '@rollup/plugin-terser';
 import { transformSync } from 'esbuild';
 import { dts } from 'rollup-plugin-dts';
 import { compileTypeScript, textModule } from './test/node/compile.mjs';
+import { stripGlsl } from './test/node/strip-glsl.mjs';
 import './test/node/register.mjs';
 
 const manifest = (folder) => JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
-
-/** Comments and needless blanks and zeros go; every line stays where it is, as messages about shaders count them. */
-function stripGlsl(text) {
-  return text
-    .replace(/\/\/.*/g, '')
-    .replace(/^[ \t]+|[ \t\r]+$/gm, '')
-    .replace(/^[^#\n].*$/gm, (line) => line.replace(/ ?([=*/<>(),;{}?:]) ?/g, '$1').replace(/(\d\.)0\b/g, '$1'));
-}
 
 /**
  * The table's texts are for people and for tools, which read the modules; no page needs them. The first argument of a
@@ -28,6 +22,46 @@ const withoutDocs = {
     if (!/core\/src\/(schema|settings|primitives\/\w+)\.ts$/.test(path)) return undefined;
     const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc:\s*)(['"]).*?(?<!\\)\1(?:\s*\+\s*'[^']*')*/gs;
     return { code: code.replace(text, "''"), map: null };
+  },
+};
+
+/** Indents and comments of the one style sheet. */
+const shortStyles = {
+  name: 'short-styles',
+  transform(code, path) {
+    if (!path.endsWith('/styles.ts')) return undefined;
+    const shorter = (css) => css.replace(/\/\*.*?\*\//gs, '').replace(/\s*\n\s*|(?<=:) /g, '');
+    return { code: code.replace(/`[^`]*`/g, shorter), map: null };
+  },
+};
+
+/** The constants of WebGL as the numbers that they are, which TypeScript knows. */
+const glNumbers = {
+  name: 'gl-numbers',
+  transform(code, path) {
+    if (!/ray-scene\/src\/[\w-]+\.ts$/.test(path)) return undefined;
+    return {
+      code: code.replace(/\b(?:this\.#?)?gl\.([A-Z][\dA-Z_]+)\b/g, (all, name) => glValues.get(name) ?? all),
+      map: null,
+    };
+  },
+};
+
+const domTypes = readFileSync(createRequire(import.meta.url).resolve('typescript/lib/lib.dom.d.ts'), 'utf8');
+const glValues = new Map(
+  [...domTypes.matchAll(/^interface WebGL2?RenderingContextBase .*?^\}/gms)]
+    .flatMap(([members]) => [...members.matchAll(/readonly ([\dA-Z_]+): (0x[\dA-F]+|\d+);/g)])
+    .map(([, name, value]) => [name, String(Number(value))]),
+);
+
+/** Every browser that reads ES2022, as this file is, adopts style sheets. */
+const adoptedStyles = {
+  name: 'adopted-styles',
+  transform(code, path) {
+    if (!path.endsWith('reactive-element/css-tag.js')) return undefined;
+    const asked = /\w+\.ShadowRoot&&.*?"replace"in CSSStyleSheet\.prototype/;
+    if (!asked.test(code)) this.error('lit asks in other words whether the browser adopts style sheets');
+    return { code: code.replace(asked, 'true'), map: null };
   },
 };
 
@@ -104,9 +138,17 @@ function oneFile(folder, name, input, others = '') {
     plugins: [
       nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
       withoutDocs,
+      shortStyles,
+      glNumbers,
+      adoptedStyles,
       sources,
       shortPrivateNames,
-      terser({ module: true, ecma: 2020, compress: { passes: 3 }, format: { comments: /^!/ } }),
+      terser({
+        module: true,
+        ecma: 2020,
+        compress: { passes: 3, keep_fargs: false },
+        format: { comments: /^!/, quote_style: 1 },
+      }),
       sizes(folder),
     ],
   };

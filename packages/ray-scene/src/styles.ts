@@ -1,14 +1,13 @@
-import { css, unsafeCSS } from '@lit/reactive-element';
+import { unsafeCSS } from '@lit/reactive-element';
 import { sceneElements } from './scene-elements.ts';
 
 /** A rule selector for the children that are parts of the scene. */
-const nodes = unsafeCSS(
-  Object.keys(sceneElements)
-    .map((tag) => `::slotted(${tag})`)
-    .join(),
-);
+const nodes = Object.keys(sceneElements)
+  .map((tag) => `::slotted(${tag})`)
+  .join();
 
-export const styles = css`
+// Lit's `css` would make sure that all of this is ours, which it is.
+export const styles = unsafeCSS(`
   :host {
     display: block;
     position: relative;
@@ -67,4 +66,4 @@ export const styles = css`
     color: var(--ray-scene-error-color, #fff);
     background: var(--ray-scene-error-background, #8b1a1a);
   }
-`;
+`);
