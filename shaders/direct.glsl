@@ -7,18 +7,9 @@
 #ifdef ENVIRONMENT
 #include "light/environment.glsl"
 #endif
+#include "checker.glsl"
 #include "generated/objects.glsl"
-
-// What a camera ray shows that meets nothing.
-vec4 background(Parts scene, vec3 d) {
-#if defined(BACKGROUND_ENVIRONMENT)
-  return vec4(environmentRadiance(scene.surroundings, d), 1.0);
-#elif defined(BACKGROUND_COLOR)
-  return vec4(scene.surroundings.background, 1.0);
-#else
-  return vec4(0.0);
-#endif
-}
+#include "background.glsl"
 
 // The light that a surface at p sends towards the eye, along -d.
 vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {

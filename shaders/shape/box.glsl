@@ -57,6 +57,14 @@ vec3 boxNormal(Box s, BoxFrom at, vec3 d, float weight) {
   return (dotInOrder(axis, d) > 0.0 ? -weight : weight) * axis;
 }
 
+#ifdef SIDES
+// Whether the ray comes from outside. At a low face the way to the high one is the longer.
+bool boxFront(Box s, BoxFrom at, vec3 d) {
+  vec3 axis = boxAxis(at);
+  return (dotInOrder(axis, d) > 0.0) == (dotInOrder(axis, at.low + at.high) > 0.0);
+}
+#endif
+
 #ifdef BOX_CHECKER
 // The surface lengths (U, V) from the lowest corner, counted in cells: (z, y) on the x faces, (x, z) on y, (x, y) on z.
 vec2 boxCells(Box s, vec3 p) {

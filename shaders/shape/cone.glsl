@@ -125,6 +125,15 @@ vec3 coneNormal(Cone s, ConeFrom at, vec3 d, float weight) {
   return (dotInOrder(n, d) > 0.0 ? -weight : weight) * n;
 }
 
+#ifdef SIDES
+// Whether the ray comes from outside: the axis leads out of the base, the normal of `coneNormal` into the side.
+bool coneFront(Cone s, ConeFrom at, vec3 d) {
+  if (coneOnBase(s, at)) return coneAlongAxis(s, d) <= 0.0;
+  float size = sqrt(dotInOrder(at.p, at.p));
+  return s.slope * coneAlongAxis(s, d) * size + dotInOrder(at.p, d) > 0.0;
+}
+#endif
+
 #ifdef CONE_CHECKER
 #include "arc-tangent.glsl"
 // The surface lengths (U, V), counted in cells: on the side the arc from the tangent at this height and the length up from

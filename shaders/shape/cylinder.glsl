@@ -130,6 +130,14 @@ vec3 cylinderNormal(Cylinder s, CylinderFrom at, vec3 d, float weight) {
   return (dotInOrder(n, d) > 0.0 ? -weight : weight) * n;
 }
 
+#ifdef SIDES
+// Whether the ray comes from outside: on the side the axis is ahead, and p leads there.
+bool cylinderFront(Cylinder s, CylinderFrom at, vec3 d) {
+  if (!cylinderOnCap(s, at)) return dotInOrder(at.p, d) > 0.0;
+  return (cylinderAlongAxis(s, d) > 0.0) == (at.toBase > -at.toTop);
+}
+#endif
+
 #ifdef CYLINDER_CHECKER
 #include "arc-tangent.glsl"
 // The surface lengths (U, V), counted in cells: on the side the arc from the tangent and the height above the base, on the

@@ -57,6 +57,13 @@ vec3 discNormal(Disc s, DiscFrom at, vec3 d, float weight) {
   return (discAlongNormal(s, d) > 0.0 ? -weight : weight) * n;
 }
 
+#ifdef SIDES
+// Whether the ray comes from the side that the normal points to.
+bool discFront(Disc s, DiscFrom at, vec3 d) {
+  return discAlongNormal(s, d) <= 0.0;
+}
+#endif
+
 #ifdef DISC_CHECKER
 // The surface lengths (U, V) along the tangent and normal × tangent from the centre, counted in cells.
 vec2 discCells(Disc s, vec3 p) {

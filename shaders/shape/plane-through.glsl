@@ -31,3 +31,10 @@ vec3 planeNormal(Plane s, PlaneFrom from, vec3 d, float weight) {
   return vec3(0.0, facing * s.downY, 0.0);
 #endif
 }
+
+#ifdef SIDES
+// Whether the ray comes from the side that the normal points to: `down` leads away from the camera's.
+bool planeFront(Plane s, PlaneFrom from, vec3 d) {
+  return (planeApproach(s, d) > 0.0) == (s.cameraSide > 0.0);
+}
+#endif

@@ -63,6 +63,13 @@ vec3 quadNormal(Quad s, QuadFrom at, vec3 d, float weight) {
   return (quadAlongNormal(s, d) > 0.0 ? -weight : weight) * n;
 }
 
+#ifdef SIDES
+// Whether the ray comes from the side that the normal points to.
+bool quadFront(Quad s, QuadFrom at, vec3 d) {
+  return quadAlongNormal(s, d) <= 0.0;
+}
+#endif
+
 #ifdef QUAD_CHECKER
 // The surface lengths (U, V) along the edges from the corner, counted in cells.
 vec2 quadCells(Quad s, vec3 p) {

@@ -117,6 +117,13 @@ vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
 #endif
 }
 
+#ifdef SIDES
+// Whether the ray comes from outside: the centre is ahead.
+bool sphereFront(Sphere s, SphereFrom from, vec3 d) {
+  return dot(from.c, d) > 0.0;
+}
+#endif
+
 #ifdef SPHERE_CHECKER
 // The surface lengths (U, V), counted in cells: arcs from the meridian of +z towards +x, and from the pole at +y down.
 vec2 sphereCells(Sphere s, vec3 p) {

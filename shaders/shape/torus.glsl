@@ -301,6 +301,13 @@ vec3 torusNormal(Torus s, TorusFrom from, vec3 d, float weight) {
   return (turned / max(sqrt(dot(from.away, from.away)), SMALLEST)) * from.away;
 }
 
+#ifdef SIDES
+// Whether the ray comes from outside.
+bool torusFront(Torus s, TorusFrom from, vec3 d) {
+  return dot(from.away, d) <= 0.0;
+}
+#endif
+
 #ifdef TORUS_CHECKER
 // The surface lengths (U, V), counted in cells: arcs around the axis on the ring's centre line, from the tangent, and
 // around the tube from its outermost circle.

@@ -80,6 +80,13 @@ vec3 triangleNormal(Triangle s, TriangleFrom at, vec3 d, float weight) {
   return (triangleAlongNormal(s, d) > 0.0 ? -weight : weight) * n;
 }
 
+#ifdef SIDES
+// Whether the ray comes from the side that the normal points to.
+bool triangleFront(Triangle s, TriangleFrom at, vec3 d) {
+  return triangleAlongNormal(s, d) <= 0.0;
+}
+#endif
+
 #ifdef TRIANGLE_CHECKER
 // The surface lengths (U, V) along the first edge and across it from the first corner, counted in cells.
 vec2 triangleCells(Triangle s, vec3 p) {

@@ -8,14 +8,29 @@ export interface ResolvedCamera {
   readonly up: Vec3;
   /** Vertical field of view in degrees. */
   readonly fov: number;
+  /** Default: perspective. */
+  readonly type?: 'perspective' | 'orthographic';
+  /** Of an orthographic view; default: what `fov` shows at the target. */
+  readonly height?: number;
+  /** Radius of the lens of a perspective view; default: 0. */
+  readonly aperture?: number;
+  /** How far ahead the plane in focus is; default: as far as the target. */
+  readonly focusDistance?: number;
 }
 
 /**
- * The ray through the window point (x, y), counted in pixels from the lower left corner as `gl_FragCoord` does, starts
- * at `origin` and runs along corner + x stepX + y stepY (not of unit length).
+ * With w = corner + x stepX + y stepY for the window point (x, y), counted in pixels from the lower left corner as
+ * `gl_FragCoord` does, the ray through it starts at `origin` and runs along w (not of unit length). With a lens it starts
+ * at a point of that and runs to the point in focus, `origin` + focus w; in an orthographic view it starts at `origin` + w
+ * and runs along `forward`.
  */
 export interface CameraFrame {
   readonly origin: Vec3;
+  readonly forward: Vec3;
+  readonly orthographic: boolean;
+  /** Two radii of the lens, at right angles; undefined for a pinhole. */
+  readonly lens?: readonly [Vec3, Vec3];
+  readonly focus: number;
   readonly corner: Vec3;
   readonly stepX: Vec3;
   readonly stepY: Vec3;
@@ -45,13 +60,43 @@ export function cameraFrame(
   jitter: readonly [number, number] = [0.5, 0.5],
 ): CameraFrame {
   const axes = cameraAxes(camera);
+  const toTarget = length(subtract(camera.target, camera.position));
   const halfHeight = Math.tan((camera.fov * Math.PI) / 360);
-  const stepX = scale(axes.right, (2 * halfHeight) / height);
-  const stepY = scale(axes.up, (2 * halfHeight) / height);
+  const orthographic = camera.type === 'orthographic';
+  const viewHeight = orthographic ? (camera.height ?? 2 * halfHeight * toTarget) : 2 * halfHeight;
+  const stepX = scale(axes.right, viewHeight / height);
+  const stepY = scale(axes.up, viewHeight / height);
   const fromCenter = add(scale(stepX, jitter[0] - 0.5 - width / 2), scale(stepY, 0.5 - jitter[1] - height / 2));
-  return { origin: camera.position, corner: add(axes.forward, fromCenter), stepX, stepY, width, height };
+  const { aperture = 0, focusDistance = toTarget } = camera;
+  const hasLens = aperture > 0 && !orthographic;
+  return {
+    origin: camera.position,
+    forward: axes.forward,
+    orthographic,
+    ...(hasLens ? { lens: [scale(axes.right, aperture), scale(axes.up, aperture)] } : {}),
+    focus: focusDistance,
+    corner: orthographic ? fromCenter : add(axes.forward, fromCenter),
+    stepX,
+    stepY,
+    width,
+    height,
+  };
 }
 
-/** The direction of the ray through the window point (x, y). */
+/** The point of the window that rays through (x, y) go through; their direction where they all start at `origin`. */
 export const rayDirection = (frame: CameraFrame, x: number, y: number): Vec3 =>
   addScaled(addScaled(frame.corner, frame.stepX, x), frame.stepY, y);
+
+/** The unit direction of the ray through (x, y), and its start relative to `origin`; `onLens`: of the unit disc. */
+export function cameraRay(
+  frame: CameraFrame,
+  x: number,
+  y: number,
+  onLens: readonly [number, number] = [0, 0],
+): { readonly start: Vec3; readonly direction: Vec3 } {
+  const window = rayDirection(frame, x, y);
+  if (frame.orthographic) return { start: window, direction: frame.forward };
+  if (!frame.lens) return { start: [0, 0, 0], direction: normalize(window) };
+  const start = addScaled(scale(frame.lens[0], onLens[0]), frame.lens[1], onLens[1]);
+  return { start, direction: normalize(subtract(scale(window, frame.focus), start)) };
+}

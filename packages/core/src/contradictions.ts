@@ -16,6 +16,10 @@ const isSame = (a: unknown, b: unknown): boolean => !!a && !!b && length(subtrac
 const isFlat = (a: Vec3, b: Vec3, c: Vec3): boolean =>
   parallel(subtract(b, a), subtract(c, a)) || parallel(subtract(c, b), subtract(a, b));
 
+const softWithoutDecay = ({ radius, decay }: NodeValues): readonly (string | false)[] => [
+  (radius as number) > 0 && decay === 0 && 'decay must be 2 where there is a radius: a ball of light fades as light does',
+];
+
 const rules: { readonly [label: string]: (node: NodeValues) => readonly (string | false)[] } = {
   plane: ({ normal, tangent }) => [
     !!normal && !!tangent && parallel(normal, tangent) && 'tangent must not be parallel to the normal',
@@ -39,6 +43,14 @@ const rules: { readonly [label: string]: (node: NodeValues) => readonly (string 
     !!position &&
       length(subtract((target as Vec3 | undefined) ?? [0, 0, 0], position as Vec3)) === 0 &&
       'target must not be the position: the camera would look nowhere',
+  ],
+  'point light': softWithoutDecay,
+  'spot light': (node) => [
+    ...softWithoutDecay(node),
+    !!node.direction && !!node.target && 'takes a direction or a target, not both',
+    !node.direction &&
+      isSame((node.target as Vec3 | undefined) ?? [0, 0, 0], node.position) &&
+      'target must not be the position: the light would go nowhere',
   ],
   'directional light': ({ direction, position, target }) => [
     !!direction && !!(position || target) && 'takes a direction, or a position and a target, not both',

@@ -17,19 +17,18 @@ const MARGIN = 1.05;
  * where a picture of this aspect (width over height) shows their bounding sphere whole.
  */
 export function frameObjects(scene: Scene, aspect: number): ResolvedCamera {
-  const { up, fov } = { up: cameraTable.fields.up.default, fov: cameraTable.fields.fov.default, ...scene.camera };
-  const { position, target } = scene.camera ?? {};
-  if (position) return { position, target: target ?? [0, 0, 0], up, fov };
+  const given = { up: cameraTable.fields.up.default, fov: cameraTable.fields.fov.default, ...scene.camera };
+  const { fov, position, target } = given;
+  if (position) return { ...given, position, target: target ?? [0, 0, 0] };
   const { middle, radius } = boundingSphere(scene);
   const halfHeight = (fov * Math.PI) / 360;
   const narrower = Math.min(halfHeight, Math.atan(Math.tan(halfHeight) * aspect));
   const distance = (MARGIN * radius) / Math.sin(narrower);
   const lookAt = target ?? middle;
   return {
+    ...given,
     position: addScaled(lookAt, VIEW_DIRECTION, distance + length(subtract(lookAt, middle))),
     target: lookAt,
-    up,
-    fov,
   };
 }
 

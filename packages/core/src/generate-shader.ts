@@ -2,9 +2,9 @@
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
 import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
-import { loadedParts, moreParts, shapeFile, shapeGlsl } from './parts.ts';
+import { loadedParts, loadedPaths, moreParts, shapeFile, shapeGlsl } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
-import type { Requirements } from './requirements.ts';
+import { ROULETTE_FROM, type Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';
@@ -35,13 +35,15 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   // One more row is for the camera ray.
   const rows = !indexed && gapless.size / 16 < varyings ? moreParts().rows.varyingRows(gapless) : undefined;
   const scene = rows ? gapless : sceneLayout(required);
-  const view = viewLayout(!!rows);
+  const view = viewLayout(required, !!rows);
+  const root = required.features.includes('path') ? 'path.frag.glsl' : 'trace.frag.glsl';
   const files = {
     ...glslFiles,
     ...loadedParts()?.files,
+    ...loadedPaths()?.files,
     ...Object.fromEntries(presentKinds(required).map((kind) => [shapeFile(kind), shapeGlsl(kind)])),
-    ...(main === undefined ? {} : { 'trace.frag.glsl': main }),
-    'generated/limits.glsl': `const float BOUNCES = ${required.bounces}.0;\n`,
+    ...(main === undefined ? {} : { [root]: main }),
+    'generated/limits.glsl': limitsGlsl(required),
     'generated/view.glsl': blockGlsl(view),
     'generated/rows.glsl': rows?.vertex ?? '',
     'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
@@ -51,7 +53,7 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   };
   const defined = definedNames(required);
   if (rows) defined.add('VARYINGS');
-  const fragment = assembleGlsl('trace.frag.glsl', { files, defined, known: KNOWN_NAMES });
+  const fragment = assembleGlsl(root, { files, defined, known: KNOWN_NAMES });
   const vertex = assembleGlsl(rows ? 'varyings.vert.glsl' : 'fullscreen.vert.glsl', {
     files,
     defined,
@@ -59,6 +61,11 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   });
   return { vertex: vertex.text, fragment: fragment.text, lines: fragment.lines, sceneBlock: scene, viewBlock: view };
 }
+
+const limitsGlsl = ({ bounces, features: present, emitters }: Requirements): string =>
+  present.includes('path')
+    ? `const int BOUNCES = ${bounces};\nconst int ROULETTE_FROM = ${ROULETTE_FROM};\nconst int EMITTERS = ${emitters};\n`
+    : `const float BOUNCES = ${bounces}.0;\n`;
 
 /** `specularTint` as it is asked for in GLSL: `SPECULAR_TINT`. */
 const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').toUpperCase();

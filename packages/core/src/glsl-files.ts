@@ -1,6 +1,8 @@
 /** The shader files by their names under `shaders/`, but for those of the shapes; see `parts.ts`. */
 import arcTangent from '../../../shaders/arc-tangent.glsl';
+import background from '../../../shaders/background.glsl';
 import camera from '../../../shaders/camera.glsl';
+import checker from '../../../shaders/checker.glsl';
 import constants from '../../../shaders/constants.glsl';
 import direct from '../../../shaders/direct.glsl';
 import pbrNeutral from '../../../shaders/display/pbr-neutral.glsl';
@@ -16,7 +18,9 @@ import trace from '../../../shaders/trace.frag.glsl';
 
 export const glslFiles: { readonly [file: string]: string } = {
   'arc-tangent.glsl': arcTangent,
+  'background.glsl': background,
   'camera.glsl': camera,
+  'checker.glsl': checker,
   'constants.glsl': constants,
   'direct.glsl': direct,
   'display.frag.glsl': displayFragment,

@@ -3,10 +3,11 @@
  * which one a ray met is told by its number. The same functions as in `unrolled-objects.ts`.
  */
 import { arrayName, structName } from './pack-scene.ts';
+import { primitiveOfKind } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
+import { directKinds } from './light-records.ts';
 import { isSolid } from './scene-needs.ts';
-import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
 
 /** The objects of one kind. Their numbers begin at `first`. */
@@ -24,9 +25,9 @@ export function indexedObjects(required: Requirements, scene: BlockLayout): stri
     partsGlsl(scene),
     HIT_AND_FROM,
     nearestGlsl(groups),
-    has('shadows') ? occlusionGlsl(groups) : '',
+    has('shadows') ? occlusionGlsl(groups, has('path')) : '',
     surfaceGlsl(groups, has),
-    lightsGlsl(required),
+    has('path') ? '' : lightsGlsl(required),
   ].join('\n');
 }
 
@@ -94,17 +95,19 @@ ${searches.join('\n')}
 `;
 }
 
-function occlusionGlsl(groups: readonly Group[]): string {
+/** Paths come to both sides of a plane, and to lights that are objects themselves: those do not stand in their own way. */
+function occlusionGlsl(groups: readonly Group[], paths: boolean): string {
   const searches = groups
-    .filter(({ kind }) => isSolid(kind))
+    .filter(({ kind }) => paths || isSolid(kind))
     .map((group) => {
-      const { kind, array } = group;
+      const { kind, array, first } = group;
+      const other = paths ? `${first} + i != lamp && ` : '';
       return loop(
         group,
-        `    if (${kind}Occlusion(${array}[i], ${kind}From(${array}[i], from.o), d, limit, ${own(group)}) > 0.0) return 1.0;`,
+        `    if (${other}${kind}Occlusion(${array}[i], ${kind}From(${array}[i], from.o), d, limit, ${own(group)}) > 0.0) return 1.0;`,
       );
     });
-  return `float occlusion(Parts scene, From from, vec3 d, float limit) {
+  return `float occlusion(Parts scene, From from, vec3 d, float limit${paths ? ', int lamp' : ''}) {
 ${searches.join('\n')}
   return 0.0;
 }
@@ -124,7 +127,18 @@ function forHit(groups: readonly Group[], statement: (group: Group) => string): 
 function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
   const checker = ({ kind, array }: Group): string =>
     has(`${kind}Checker`) ? `\n    m.color += checkerOdd(${kind}Cells(${array}[i], p)) * m.checkerStep;` : '';
-  return `vec3 normalAt(Parts scene, From from, vec3 d) {
+  const frontAt = `bool frontAt(Parts scene, From from, vec3 d) {
+  bool front;
+${forHit(groups, ({ kind, array }) => `front = ${kind}Front(${array}[i], ${kind}From(${array}[i], from.o), d);`)}
+  return front;
+}
+`;
+  const closed = groups.filter(({ kind }) => primitiveOfKind(kind).closed);
+  const isClosed = `bool isClosed(int object) {
+  return ${closed.map(({ first, count }) => `(object >= ${first} && object < ${first + count})`).join(' || ')};
+}
+`;
+  return `${has('sides') ? frontAt : ''}${has('thin') && has('solid') ? isClosed : ''}vec3 normalAt(Parts scene, From from, vec3 d) {
   vec3 n;
 ${forHit(groups, ({ kind, array }) => `n = ${kind}Normal(${array}[i], ${kind}From(${array}[i], from.o), d, 1.0);`)}
   return n;
@@ -138,7 +152,7 @@ ${forHit(groups, (group) => `m = materials[${group.array}[i].material];${checker
 }
 
 function lightsGlsl({ lights }: Requirements): string {
-  const kinds = lightKinds.filter((kind) => lights[kind] > 0);
+  const kinds = directKinds.filter((kind) => lights[kind] > 0);
   if (kinds.length === 0) return '';
   const sums = kinds.map(
     (kind) =>

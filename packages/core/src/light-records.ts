@@ -1,8 +1,12 @@
-/** What the shader is told of lights: one record for each kind, and how it is packed. */
+/** What the shader of the integrator `direct` is told of lights: one record for each kind, and how it is packed. */
 import { type Frame, toFrame } from './frame.ts';
 import type { Light, LightKind } from './schema.ts';
 import type { RecordValues } from './std140.ts';
 import { negate, normalize, scale, subtract, type Vec3 } from './vector.ts';
+
+/** The lights that it knows: those that cast hard shadows. */
+export const directKinds = ['point', 'directional'] as const satisfies readonly LightKind[];
+export type DirectKind = (typeof directKinds)[number];
 
 type LightOf<K extends LightKind> = Extract<Light, { type: K }>;
 
@@ -40,10 +44,10 @@ export const lightRecords = {
       irradiance: scale(light.color, light.intensity / Math.PI),
     }),
   },
-} as const satisfies { [K in LightKind]: unknown };
+} as const satisfies { [K in DirectKind]: unknown };
 
 /** The record of a light of any kind. */
-export const packLight = (light: Light, frame: Frame) =>
+export const packLight = (light: LightOf<DirectKind>, frame: Frame) =>
   light.type === 'point' ? lightRecords.point.pack(light, frame) : lightRecords.directional.pack(light);
 
 /** Unit vector from any point to a directional light. */

@@ -1,16 +1,16 @@
 /** Scene and requirements to the bytes of the two uniform blocks: `Scene` (also when the camera moves) and `View`. */
 import type { CameraFrame } from './camera-frame.ts';
 import { type Frame, powerOfTwoBelow, toFrame } from './frame.ts';
-import { directionToLight, lightRecords, packLight } from './light-records.ts';
+import { type DirectKind, directionToLight, directKinds, lightRecords, packLight } from './light-records.ts';
 import { materialRecord, packMaterial } from './material-record.ts';
-import { primitiveOf, primitiveOfKind } from './parts.ts';
+import { pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { type Light, lightKinds, type Material } from './schema.ts';
+import type { Light, Material } from './schema.ts';
 import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std140.ts';
 import { length } from './vector.ts';
-import { eyeRecord, packEye, packSurroundings, surroundingsRecord } from './view-record.ts';
+import { eyeRecord, packEye, packSurroundings, type SampleNumber, surroundingsRecord } from './view-record.ts';
 
 /** The block `Scene` of a shader with these requirements; `gapless`, see `layoutStruct`. */
 export function sceneLayout(required: Requirements, { gapless = false } = {}): BlockLayout {
@@ -26,19 +26,24 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
         struct: struct(structName(kind), [...primitiveOfKind(kind).record, material]),
         count: required.shapes[kind],
       })),
-    ...lightKinds.map((kind) => ({
+    ...directKinds.map((kind) => ({
       name: arrayName(lightRecords[kind].struct),
       struct: struct(lightRecords[kind].struct, lightRecords[kind].record),
       count: required.lights[kind],
     })),
+    ...(required.emitters > 0
+      ? [{ name: 'emitters', struct: struct('Emitter', pathParts().emitterRecord), count: required.emitters }]
+      : []),
     { name: 'materials', struct: struct('Material', materialRecord), count: required.materials },
     { name: 'surroundings', struct: struct('Surroundings', surroundingsRecord) },
   ]);
 }
 
 /** The block `View`. `varyings`: the rays are interpolated, from corners that only the size of the window tells. */
-export const viewLayout = (varyings: boolean): BlockLayout =>
-  layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, () => varyings) }]);
+export function viewLayout({ features }: Requirements, varyings: boolean): BlockLayout {
+  const has = (name: string): boolean => (name === 'varyings' ? varyings : features.some((one) => one === name));
+  return layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, has) }]);
+}
 
 /** `Sphere` for the kind sphere. */
 export const structName = (kind: string): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}`;
@@ -50,7 +55,7 @@ export function packingFrame({ camera, objects, lights }: ResolvedScene): Frame 
   const unscaled = { origin: camera.position, scale: 1 };
   const lengths = [
     ...objects.map(({ shape }) => primitiveOf(shape).extent(shape, unscaled)),
-    ...lights.map((light) => (light.type === 'point' ? length(toFrame(unscaled, light.position)) : 0)),
+    ...lights.map((light) => (light.type !== 'directional' ? length(toFrame(unscaled, light.position)) : 0)),
   ];
   const largest = Math.max(...lengths, 0);
   return { origin: camera.position, scale: largest > 0 ? 1 / powerOfTwoBelow(largest) : 1 };
@@ -65,7 +70,15 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const writer = new BlockWriter(block);
   const indexed = required.features.includes('indexed');
   const wideRange = required.features.includes('wideRange');
-  const material = (index: number) => packMaterial(scene.materials[index] as Material);
+  const numbers = objectNumbers(scene, required);
+  const emitters = required.features.includes('path') ? pathParts().packEmitters(scene, frame, numbers) : [];
+  emitters.forEach(({ record }, i) => {
+    writer.write('emitters', i, record);
+  });
+  const material = (index: number) => {
+    const emitter = emitters.findIndex(({ object }) => object !== undefined && scene.objects[object]?.material === index);
+    return packMaterial(scene.materials[index] as Material, frame.scale, emitter);
+  };
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;
   for (const kind of shapeKinds) {
@@ -82,20 +95,36 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
     }
     number += required.shapes[kind];
   }
-  for (const kind of lightKinds) {
-    const ofKind = scene.lights.filter(({ type }) => type === kind);
+  for (const kind of directKinds) {
+    const ofKind = scene.lights.filter((light): light is DirectLight => light.type === kind);
     ofKind.forEach((light, i) => {
       writer.write(arrayName(lightRecords[kind].struct), i, packLight(dimmed(scene, light), frame));
     });
   }
-  writer.write('surroundings', 0, packSurroundings(scene));
+  const around = scene.around.map((number) => numbers[number] as number);
+  writer.write('surroundings', 0, packSurroundings(scene, around));
   return writer.bytes;
 }
 
+/** By an object's place in the scene: its number in the shader, where there may be places between that are not filled. */
+function objectNumbers({ objects }: ResolvedScene, required: Requirements): readonly number[] {
+  let first = 0;
+  return shapeKinds.flatMap((kind) => {
+    const numbers = objects.filter(({ shape }) => shape.type === kind).map((_, i) => first + i);
+    first += required.shapes[kind];
+    return numbers;
+  });
+}
+
 /** The bytes of the block `View`. */
-export function packView(frame: CameraFrame, block: BlockLayout): ArrayBuffer {
+export function packView(
+  view: CameraFrame,
+  block: BlockLayout,
+  { scale }: Pick<Frame, 'scale'>,
+  sample: SampleNumber = { sample: 0, seed: 0 },
+): ArrayBuffer {
   const writer = new BlockWriter(block);
-  writer.write('eye', 0, packEye(frame));
+  writer.write('eye', 0, packEye(view, scale, sample));
   return writer.bytes;
 }
 
@@ -117,11 +146,13 @@ class BlockWriter {
   }
 }
 
+type DirectLight = Extract<Light, { type: DirectKind }>;
+
 /**
  * A light without intensity where none of its light can reach anything that the camera sees. That is so where an object
  * parts the two: light does not pass through surfaces, so all of its paths stay on the camera's side of every object.
  */
-function dimmed({ camera, objects }: ResolvedScene, light: Light): Light {
+function dimmed({ camera, objects }: ResolvedScene, light: DirectLight): DirectLight {
   const reaches = objects.every(({ shape }) => {
     const primitive = primitiveOf(shape);
     const camerasSide = primitive.side(shape, camera.position);

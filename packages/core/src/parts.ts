@@ -9,8 +9,11 @@ import type { ShapeKind } from './primitives/index.ts';
 import { plane } from './primitives/plane.ts';
 import type { Primitive } from './primitives/primitive.ts';
 import { sphere } from './primitives/sphere.ts';
+import type { Frame } from './frame.ts';
 import type { Requirements } from './requirements.ts';
-import type { BlockLayout, Member } from './std140.ts';
+import type { ResolvedScene } from './resolve-scene.ts';
+import type { Feature } from './scene-needs.ts';
+import type { BlockLayout, Member, RecordValues } from './std140.ts';
 
 /** A primitive of any kind, with the text of its shader file. */
 interface Part {
@@ -34,6 +37,37 @@ export interface MoreParts {
   /** Writes what hands a scene's numbers on as varyings. */
   readonly rows: Pick<typeof import('./varying-rows.ts'), 'varyingRows' | 'structFromRows'>;
 }
+
+/** An emitter as the shader is told of it, and the number in the scene of the object that it is. */
+export interface PackedEmitter {
+  readonly record: RecordValues<readonly Member[]>;
+  readonly object: number | undefined;
+}
+
+/** What comes with `path-parts.ts`, for scenes that are gone through path by path. */
+export interface PathParts {
+  /** Shader files by name. */
+  readonly files: { readonly [file: string]: string };
+  /** What the integrator asks of a scene, beyond what its nodes say by themselves. */
+  needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
+  /** What the shader is told of an emitter. */
+  readonly emitterRecord: readonly Member[];
+  /** All emitters; `numbers` are those of the scene's objects in the shader. */
+  packEmitters(scene: ResolvedScene, frame: Frame, numbers: readonly number[]): readonly PackedEmitter[];
+}
+
+let paths: PathParts | undefined;
+
+/** Makes paths known. */
+export function registerPaths(parts: PathParts): void {
+  paths = parts;
+}
+
+/** What paths need, if it is loaded. */
+export const loadedPaths = (): PathParts | undefined => paths;
+
+/** @throws {Error} when it has not been loaded. */
+export const pathParts = (): PathParts => present(paths);
 
 let more: MoreParts | undefined;
 

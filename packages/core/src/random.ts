@@ -20,18 +20,43 @@ export function pixelSample(index: number, seed: number): readonly [number, numb
   return [unit(owen(reverseBits(i), hash(scramble))), unit(owen(sobolSecond(i), hash(scramble ^ 1)))];
 }
 
+/** Where a pixel's random numbers come from: see docs/light-transport.md. */
+export interface Sampler {
+  readonly seed: number;
+  /** Number of the sample within its half-sequence. */
+  readonly index: number;
+}
+
+/** Of the `index`-th sample of the pixel in column x and row y, counted from the lower left corner. */
+export function pixelSampler(x: number, y: number, index: number, seed: number): Sampler {
+  return { seed: hash(x ^ hash(y ^ sequenceSeed(index, seed))), index: index >>> 1 };
+}
+
+/** What all pixels' sequences have in common: the seed, and which of the two sequences the sample is of. */
+export const sequenceSeed = (index: number, seed: number): number => hash((seed ^ hash((index & 1) + 2)) >>> 0);
+
+/** A point of [0, 1)²: of the `set`-th of the padded sequences, which are shuffled independently. */
+export function sample2d({ seed, index }: Sampler, set: number): readonly [number, number] {
+  const scramble = hash(seed ^ hash(set));
+  const i = owen(index, scramble);
+  return [unit(owen(reverseBits(i), hash(scramble ^ 1))), unit(owen(sobolSecond(i), hash(scramble ^ 2)))];
+}
+
 /** The upper 24 bits as a fraction: exact in f32. */
 const unit = (bits: number): number => (bits >>> 8) * 2 ** -24;
 
-/** Second dimension of the Sobol sequence: its direction numbers are the rows of Pascal's triangle modulo 2. */
+/**
+ * Second dimension of the Sobol sequence, whose direction numbers are the rows of Pascal's triangle modulo 2. By Lucas'
+ * theorem bit m of the point is the sum of all bits j of the index whose number j holds the bits of m: five sums of halves.
+ */
 function sobolSecond(index: number): number {
-  let point = 0;
-  let direction = 0x80000000;
-  for (let i = index; i !== 0; i >>>= 1) {
-    if (i & 1) point ^= direction;
-    direction ^= direction >>> 1;
-  }
-  return point >>> 0;
+  let x = reverseBits(index);
+  x ^= x << 16;
+  x ^= (x & 0x00ff00ff) << 8;
+  x ^= (x & 0x0f0f0f0f) << 4;
+  x ^= (x & 0x33333333) << 2;
+  x ^= (x & 0x55555555) << 1;
+  return x >>> 0;
 }
 
 /** Owen scrambling by a hash whose bits depend only on higher bits (Laine and Karras, with Burley's constants). */

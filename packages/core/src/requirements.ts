@@ -1,7 +1,7 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
 import { shapeKinds } from './primitives/index.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { type Feature, features, isSolid, mergeNeeds, type SceneNeeds, sceneNeeds } from './scene-needs.ts';
+import { type Feature, features, isSolid, mergeNeeds, type SceneNeeds, sceneNeeds, type Tracing } from './scene-needs.ts';
 
 export interface Requirements {
   /** What they follow from. */
@@ -11,22 +11,25 @@ export interface Requirements {
   /** Places for objects, lights and materials. */
   readonly shapes: SceneNeeds['shapes'];
   readonly lights: SceneNeeds['lights'];
+  readonly emitters: number;
   readonly materials: number;
   /** In the order of `features`. */
   readonly features: readonly Feature[];
 }
 
-/** What a resolved scene requires, when rays may meet up to `bounces` surfaces. */
-export const requirements = (scene: ResolvedScene, { bounces }: { readonly bounces: number }): Requirements =>
-  derive(sceneNeeds(scene, bounces));
+/** What a resolved scene requires, when light is followed so; the integrator is `direct` where none is given. */
+export const requirements = (scene: ResolvedScene, tracing: Tracing): Requirements =>
+  derive(sceneNeeds(scene, tracing));
 
 /** What serves both: what was compiled once stays, so that going back and forth compiles nothing. */
 export const mergeRequirements = (a: Requirements, b: Requirements): Requirements =>
   derive(mergeNeeds(a.needs, b.needs));
 
 /** Equal for requirements that the same program serves. */
-export const requirementsKey = ({ features: present, bounces, shapes, lights, materials }: Requirements): string =>
-  JSON.stringify([present, present.includes('reflections') ? bounces : 1, shapes, lights, materials]);
+export const requirementsKey = ({ features: present, bounces, ...counts }: Requirements): string => {
+  const isEndless = present.includes('reflections') || present.includes('path');
+  return JSON.stringify([present, isEndless ? bounces : 1, counts.shapes, counts.lights, counts.emitters, counts.materials]);
+};
 
 /**
  * Up to so many spheres and planes (or lights) are written out one by one; more are gone through in loops, and found by
@@ -37,23 +40,51 @@ const MOST_UNROLLED = 8;
 function derive(needs: SceneNeeds): Requirements {
   const objects = total(needs.shapes);
   const { sphere, plane } = needs.shapes;
-  const indexed = objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
+  const follows = needs.features.has('path');
+  const indexed =
+    follows || objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
   const places = <C extends { readonly [kind: string]: number }>(counts: C): C =>
     (indexed ? Object.fromEntries(Object.entries(counts).map(([kind, n]) => [kind, roundedUp(n)])) : counts) as C;
-  const present = derivedFeatures(needs, indexed);
+  const present = follows ? pathFeatures(needs) : directFeatures(needs, indexed);
   return {
     needs,
     bounces: needs.bounces,
     shapes: places(needs.shapes),
     lights: places(needs.lights),
+    emitters: roundedUp(needs.emitters),
     // Objects that are written out one by one have a material each.
     materials: indexed ? roundedUp(needs.materials) : objects,
     features: features.filter((feature) => present.has(feature)),
   };
 }
 
-/** What all nodes together bring with them, and without what they would have brought for nothing. */
-function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeeds, indexed: boolean): Set<Feature> {
+/** How many events pass before roulette may end a path. */
+export const ROULETTE_FROM = 3;
+
+/** What paths need of all that the nodes bring with them. */
+function pathFeatures({ bounces, shapes, emitters, features: given }: SceneNeeds): Set<Feature> {
+  const present = new Set(given);
+  const has = (feature: Feature): boolean => present.has(feature);
+  const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
+  set('through', true);
+  set('indexed', true);
+  set('specular', has('specular') && has('dielectric'));
+  for (const detail of ['specularTint', 'specularWeight'] as const) set(detail, has(detail) && has('specular'));
+  set('reflective', has('metal') || has('specular') || has('transmission'));
+  set('shadows', emitters > 0);
+  set('severalEmitters', emitters > 1);
+  set('roulette', bounces > ROULETTE_FROM && !has('whitted'));
+  set('checker', hasChecker(present));
+  set('turnedChecker', has('turnedChecker') && has('planeChecker'));
+  for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
+  set('tiltedPlane', has('tiltedPlane') && shapes.plane > 0);
+  return present;
+}
+
+const hasChecker = (present: ReadonlySet<Feature>): boolean => shapeKinds.some((kind) => present.has(`${kind}Checker`));
+
+/** What `direct` needs of it, without what the nodes would have brought for nothing. */
+function directFeatures({ bounces, shapes, lights, features: given }: SceneNeeds, indexed: boolean): Set<Feature> {
   const present = new Set(given);
   const has = (feature: Feature): boolean => present.has(feature);
   const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
@@ -71,10 +102,7 @@ function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeed
   set('highlights', reflective && hasLights);
   set('reflections', reflective && (has('environment') || (bounces > 1 && (several || has('inside')))));
 
-  set(
-    'checker',
-    shapeKinds.some((kind) => has(`${kind}Checker`)),
-  );
+  set('checker', hasChecker(present));
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   set('mixedFalloff', has('falloff') && has('noFalloff'));
   set('shadows', several && hasLights && solid);

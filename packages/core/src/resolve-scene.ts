@@ -2,6 +2,7 @@
 import { builtInMaterials } from './built-in-materials.ts';
 import type { ResolvedCamera } from './camera-frame.ts';
 import { frameObjects } from './frame-objects.ts';
+import { primitiveOf } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import { type Background, type Light, type Material, material, type Scene, type Shape } from './schema.ts';
 import { scale, type Vec3 } from './vector.ts';
@@ -17,16 +18,21 @@ export interface ResolvedObject {
   readonly shape: Shape<ShapeKind>;
   /** Index into `materials`. */
   readonly material: number;
-  /** Index of the object in the author's list. */
+  /** Index of the object in the author's list; -1 for the ball of a light. */
   readonly index: number;
+  /** Index into `lights` of the light that it is the ball of. */
+  readonly light?: number;
 }
 
 export interface ResolvedScene {
   readonly camera: ResolvedCamera;
   readonly environment?: ResolvedEnvironment;
   readonly background: Background;
+  /** Those of the author, or of the studio. */
   readonly lights: readonly Light[];
   readonly materials: readonly Material[];
+  /** Objects that the camera is inside of, the innermost first, where light passes through them. */
+  readonly around: readonly number[];
   /** Ordered by kind as in `shapeKinds`: an object's place here is its number in the shader. */
   readonly objects: readonly ResolvedObject[];
 }
@@ -34,7 +40,7 @@ export interface ResolvedScene {
 /** The neutral studio that lights a scene without light of its own: a soft sky and one key light from the upper left. */
 const studio = {
   environment: { kind: 'gradient', top: [1, 1, 1], bottom: [0.25, 0.25, 0.25] } satisfies ResolvedEnvironment,
-  key: { type: 'directional', direction: [1, -2, -1.5], color: [1, 1, 1], intensity: 1.6 } satisfies Light,
+  key: { type: 'directional', direction: [1, -2, -1.5], color: [1, 1, 1], intensity: 1.6, angularDiameter: 0 } satisfies Light,
 } as const;
 
 /**
@@ -43,19 +49,57 @@ const studio = {
  */
 export function resolveScene(scene: Scene, aspect = 1, camera?: ResolvedCamera): ResolvedScene {
   const materials = new MaterialTable(scene);
-  const objects = scene.objects
-    .map((object, index) => ({ shape: object, material: materials.indexOf(object), index }))
-    .sort((a, b) => shapeKinds.indexOf(a.shape.type) - shapeKinds.indexOf(b.shape.type));
-  const unlit = scene.lights.length === 0 && !scene.environment;
+  const given = scene.objects.map((object, index) => ({ shape: object, material: materials.indexOf(object), index }));
+  const unlit = scene.lights.length === 0 && !scene.environment && !materials.list.some(isEmissive);
+  const lights = unlit ? [studio.key] : scene.lights;
+  const objects = [...given, ...ballsOf(lights, materials)].sort((a, b) => shapeKinds.indexOf(a.shape.type) - shapeKinds.indexOf(b.shape.type));
   const environment = unlit ? studio.environment : environmentOf(scene);
+  const view = camera ?? frameObjects(scene, aspect);
   return {
-    camera: camera ?? frameObjects(scene, aspect),
+    camera: view,
     ...(environment ? { environment } : {}),
     background: scene.background ?? (scene.environment ? 'environment' : 'transparent'),
-    lights: unlit ? [studio.key] : scene.lights,
+    lights,
     materials: materials.list,
+    around: objectsAround(view, objects, materials.list),
     objects,
   };
+}
+
+/** Whether the material shines by itself. */
+export const isEmissive = ({ emission, emissionIntensity }: Material): boolean =>
+  emissionIntensity > 0 && emission.some((channel) => channel > 0);
+
+/** The visible balls of lights that have a radius: each sends out as much as the point would, and reflects nothing. */
+function ballsOf(lights: readonly Light[], materials: MaterialTable): ResolvedObject[] {
+  return lights.flatMap((node, light) => {
+    if (node.type === 'directional' || !node.radius) return [];
+    const { position: center, radius, color, intensity } = node;
+    const emission = scale(color, intensity / (Math.PI * radius * radius));
+    const material = materials.add({ ...materialDefaults, color: BLACK, specular: 0, emission });
+    return [{ shape: { type: 'sphere', center, radius } as const, material, index: -1, light }];
+  });
+}
+
+const BLACK: Vec3 = [0, 0, 0];
+
+/** The closed objects that a camera is inside of, by their numbers, from the smallest to the largest. */
+function objectsAround(
+  { position }: ResolvedCamera,
+  objects: readonly ResolvedObject[],
+  materials: readonly Material[],
+): readonly number[] {
+  const inside = objects.map((_, number) => number).filter((number) => {
+    const { shape, material } = objects[number] as ResolvedObject;
+    const transmits = (materials[material] as Material).transmission > 0;
+    const primitive = transmits ? primitiveOf(shape) : undefined;
+    return !!primitive?.closed && primitive.side(shape, position) < 0;
+  });
+  const size = (number: number): number => {
+    const { shape } = objects[number] as ResolvedObject;
+    return primitiveOf(shape).size(shape);
+  };
+  return inside.sort((a, b) => size(a) - size(b));
 }
 
 function environmentOf({ environment }: Scene): ResolvedEnvironment | undefined {
@@ -90,10 +134,17 @@ class MaterialTable {
       Object.entries(object).filter(([name]) => Object.hasOwn(material.fields, name)),
     ) as Partial<Material>;
     const resolved = { ...materialDefaults, ...named, ...own };
+    // Every object that shines is a light of its own.
+    if (isEmissive(resolved)) return this.add(resolved);
     const key = JSON.stringify(Object.keys(material.fields).map((name) => resolved[name as keyof Material]));
-    const known = this.#indices.get(key) ?? this.list.push(resolved) - 1;
+    const known = this.#indices.get(key) ?? this.add(resolved);
     this.#indices.set(key, known);
     return known;
+  }
+
+  /** A material that no other object shares. */
+  add(material: Material): number {
+    return this.list.push(material) - 1;
   }
 
   #named(name: string): Partial<Material> {

@@ -1,10 +1,12 @@
 /** What the nodes of a scene need by themselves, before it is asked what follows from all of them together. */
 import type { Field } from './fields.ts';
-import { primitiveOf, primitiveOfKind } from './parts.ts';
+import { type DirectKind, directKinds } from './light-records.ts';
+import { pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import { planeAxes } from './primitives/plane.ts';
-import type { ResolvedScene } from './resolve-scene.ts';
-import { type LightKind, lightKinds, lights, material, type Shape } from './schema.ts';
+import { isEmissive, type ResolvedScene } from './resolve-scene.ts';
+import { lights, material, type Shape } from './schema.ts';
+import type { RenderSettings } from './settings.ts';
 
 /** Everything that a shader may or may not hold. In GLSL, each is a name to ask for by `#if`. */
 export const features = [
@@ -28,6 +30,34 @@ export const features = [
   'inside',
   // Rays pass through surfaces: they start on any side of what they meet.
   'through',
+  // The integrator `path`, or what `direct` becomes where light is more than points and surfaces more than mirrors:
+  'path',
+  'whitted',
+  'rough',
+  'smooth',
+  'transmission',
+  'opaqueBase',
+  'thin',
+  'solid',
+  'nested',
+  'attenuation',
+  'emissive',
+  'sides',
+  'roulette',
+  'lens',
+  'orthographic',
+  'pointEmitter',
+  'spotEmitter',
+  'directionalEmitter',
+  'sunEmitter',
+  'sphereEmitter',
+  'quadEmitter',
+  'discEmitter',
+  'triangleEmitter',
+  'boxEmitter',
+  'cylinderEmitter',
+  'imageEmitter',
+  'severalEmitters',
   'wideRange',
   'indexed',
   'environment',
@@ -38,11 +68,16 @@ export const features = [
 
 export type Feature = (typeof features)[number];
 
+/** How light is followed: what of the settings bears on the shader. */
+export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator'>>;
+
 export interface SceneNeeds {
   /** The most surfaces that a ray meets. */
   readonly bounces: number;
   readonly shapes: { readonly [K in ShapeKind]: number };
-  readonly lights: { readonly [K in LightKind]: number };
+  /** For the integrator `direct`, and for `path`. */
+  readonly lights: { readonly [K in DirectKind]: number };
+  readonly emitters: number;
   /** Different ones. */
   readonly materials: number;
   /** Those that follow from nothing else. */
@@ -50,7 +85,8 @@ export interface SceneNeeds {
 }
 
 /** The needs of a scene, when rays may meet up to `bounces` surfaces. */
-export function sceneNeeds(scene: ResolvedScene, bounces: number): SceneNeeds {
+export function sceneNeeds(scene: ResolvedScene, { bounces, integrator }: Tracing): SceneNeeds {
+  const paths = followsPaths(scene, integrator) ? pathParts().needs(scene) : undefined;
   const facts: { readonly [F in Feature]?: boolean } = {
     inside: scene.objects.some(
       ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
@@ -61,16 +97,16 @@ export function sceneNeeds(scene: ResolvedScene, bounces: number): SceneNeeds {
     environment: !!scene.environment,
     gradient: scene.environment?.kind === 'gradient',
     backgroundEnvironment: scene.background === 'environment' && !!scene.environment,
+    path: !!paths,
+    whitted: !!paths && integrator === 'direct',
     backgroundColor: typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment),
   };
-  const present = [...nodeFeatures(scene), ...checkers(scene)];
+  const present = [...nodeFeatures(scene), ...checkers(scene), ...(paths?.features ?? [])];
   return {
     bounces,
     shapes: counts(shapeKinds, kindsOrNone(scene)),
-    lights: counts(
-      lightKinds,
-      scene.lights.map(({ type }) => type),
-    ),
+    lights: counts(directKinds, paths ? [] : (scene.lights.map(({ type }) => type) as DirectKind[])),
+    emitters: paths?.emitters ?? 0,
     materials: scene.materials.length,
     features: new Set(features.filter((feature) => facts[feature] || present.includes(feature))),
   };
@@ -78,14 +114,36 @@ export function sceneNeeds(scene: ResolvedScene, bounces: number): SceneNeeds {
 
 /** What serves both. Of what is behind the objects there is but one: that of the second. */
 export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
-  const stays = [...a.features].filter((feature) => !feature.startsWith('background'));
+  const changed = (feature: Feature): boolean => a.features.has(feature) !== b.features.has(feature);
+  if (changed('path') || changed('whitted')) return b;
+  const stays = [...a.features].filter((feature) => !feature.startsWith('background') && !views.includes(feature));
   return {
     bounces: b.bounces,
     shapes: largest(a.shapes, b.shapes),
     lights: largest(a.lights, b.lights),
+    emitters: Math.max(a.emitters, b.emitters),
     materials: Math.max(a.materials, b.materials),
     features: new Set([...b.features, ...stays]),
   };
+}
+
+/** Kinds of cameras: of them, too, there is but one. */
+const views: readonly Feature[] = ['lens', 'orthographic'];
+
+/**
+ * Whether an integrator goes through the scene path by path: `direct` does only where light comes from more than points
+ * or goes through surfaces, or the camera is more than a pinhole.
+ */
+export const followsPaths = (scene: ResolvedScene, integrator: Tracing['integrator']): boolean =>
+  integrator === 'path' || !isPlain(scene);
+
+function isPlain({ camera, lights: nodes, materials }: ResolvedScene): boolean {
+  return (
+    camera.type !== 'orthographic' &&
+    !camera.aperture &&
+    nodes.every((light) => (light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius)) &&
+    materials.every((one) => !one.transmission && !isEmissive(one))
+  );
 }
 
 /** Whether a kind can stand between two points outside of it. */

@@ -15,43 +15,72 @@ export interface NodeTable<F extends Fields = Fields> {
 export const camera = {
   doc: 'Where the picture is taken from.',
   fields: {
-    type: choice('Kind of projection.', ['perspective'], { default: 'perspective' }),
+    type: choice('Kind of projection.', ['perspective', 'orthographic'], { default: 'perspective' }),
     position: vector('Where the camera stands; default: where it sees all objects.'),
     target: vector(
       'What it looks at; default: the middle of the objects if it has no position either, else the origin.',
     ),
     up: vector('The direction that is up in the picture.', { default: [0, 1, 0], nonzero: true }),
     fov: number('Vertical field of view, in degrees.', { default: 45, min: 1e-6, max: 179 }),
+    height: number('Height of an orthographic view; default: what fov shows at the target.', { above: 0 }),
+    aperture: number('Radius of the lens; 0: a pinhole, which has everything in focus.', { default: 0, min: 0 }),
+    focusDistance: number('How far ahead the plane in focus is; default: as far as the target.', { above: 0 }),
   },
 } satisfies NodeTable;
 
+const lightName = name("The author's name for it.");
 const lightColor = color('Colour of the light.', { default: [1, 1, 1], light: true });
+const lightDirection = vector('Direction in which the light travels; default: from position to target, or down.', {
+  nonzero: true,
+});
+const candela = number('Radiant intensity (candela).', { default: 1, min: 0 });
+const decay = choice('How it fades with distance: 2 as light does, 0 not at all.', [2, 0], {
+  default: 2,
+  switches: { falloff: (decay) => decay === 2, noFalloff: (decay) => decay === 0 },
+});
+const lightRadius = number('Radius of the ball that shines; 0: a point, which nobody sees.', { default: 0, min: 0 });
 
 export const lights = {
   point: {
     doc: 'Light from one point, the same in all directions.',
     fields: {
-      name: name("The author's name for it."),
+      name: lightName,
       position: vector('Where it is.', { default: [0, 1, 0] }),
       color: lightColor,
-      intensity: number('Radiant intensity (candela).', { default: 1, min: 0 }),
-      decay: choice('How it fades with distance: 2 as light does, 0 not at all.', [2, 0], {
-        default: 2,
-        switches: { falloff: (decay) => decay === 2, noFalloff: (decay) => decay === 0 },
-      }),
+      intensity: candela,
+      decay,
+      radius: lightRadius,
+    },
+  },
+  spot: {
+    doc: 'Light from one point into a cone.',
+    fields: {
+      name: lightName,
+      position: vector('Where it is.', { default: [0, 1, 0] }),
+      target: vector('What its axis goes through; default: the origin.'),
+      direction: vector('Direction of its axis, in place of the target.', { nonzero: true }),
+      color: lightColor,
+      intensity: candela,
+      angle: number('Angle between the axis and the edge of the cone, in degrees.', { default: 45, above: 0, max: 180 }),
+      penumbra: number('Share of that angle over which light fades towards the edge.', { default: 0, min: 0, max: 1 }),
+      decay,
+      radius: lightRadius,
     },
   },
   directional: {
     doc: 'Parallel light from far away.',
     fields: {
-      name: name("The author's name for it."),
-      direction: vector('Direction in which the light travels; default: from position to target, or down.', {
-        nonzero: true,
-      }),
+      name: lightName,
+      direction: lightDirection,
       position: vector('With target, another way to say the direction.'),
       target: vector('What light from the position travels towards; default: the origin.'),
       color: lightColor,
       intensity: number('Irradiance on a surface that faces it (lux).', { default: 1, min: 0 }),
+      angularDiameter: number('How large it is in the sky, in degrees; 0: a point. The Sun has 0.53.', {
+        default: 0,
+        min: 0,
+        max: 180,
+      }),
     },
   },
 } satisfies { readonly [kind: string]: NodeTable };
@@ -93,6 +122,21 @@ export const material = {
     specularColor: color('Tints the straight-on reflection of a dielectric.', {
       default: [1, 1, 1],
       switches: { specularTint: (tint) => !isGrey(tint) },
+    }),
+    transmission: number('Share of the light under the surface that goes on into it: 1 for glass and water.', {
+      default: 0,
+      min: 0,
+      max: 1,
+      switches: { transmission: (share) => share > 0 },
+    }),
+    attenuationColor: color('What white light turns into on its way through attenuationDistance of the inside.', {
+      default: [1, 1, 1],
+    }),
+    attenuationDistance: number('How far that way is; default: nothing is lost.', { above: 0 }),
+    emission: color('Radiance that the surface sends out by itself.', { default: [0, 0, 0], light: true }),
+    emissionIntensity: number('Factor on the emission.', { default: 1, min: 0 }),
+    emissionSide: choice('Side that shines: front is where the outward normal points.', ['front', 'back', 'both'], {
+      default: 'front',
     }),
     checker: color('Second colour, of the cells where floor(U / size) + floor(V / size) is odd.'),
     checkerSize: number('Side of a cell, measured along the surface.', { default: 1, above: 0 }),

@@ -4,13 +4,16 @@ import { SceneError } from './scene-error.ts';
 
 export const settingsFields = {
   integrator: choice(
-    'How light is followed; direct: Whitted ray tracing, free of noise under point lights.',
-    ['direct'],
-    {
-      default: 'direct',
-    },
+    'How light is followed; path: all of its ways; direct: Whitted ray tracing, free of noise under point lights.',
+    ['path', 'direct'],
+    { default: 'direct' },
   ),
-  bounces: number('Surfaces that a ray may meet, one after the other.', { default: 6, min: 1, max: 64, integer: true }),
+  bounces: number('Surfaces that light may meet on its way, one after the other.', {
+    default: 6,
+    min: 0,
+    max: 64,
+    integer: true,
+  }),
   samples: number('Samples per pixel after which the picture is complete.', {
     default: 64,
     min: 1,

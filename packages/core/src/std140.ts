@@ -7,6 +7,7 @@
 const TYPES = {
   float: { size: 4, align: 4 },
   int: { size: 4, align: 4 },
+  uint: { size: 4, align: 4 },
   vec3: { size: 12, align: 16 },
   vec4: { size: 16, align: 16 },
 } as const;
@@ -25,7 +26,7 @@ export type RecordValues<M extends readonly Member[]> = {
   readonly [K in M[number] as K['name']]: ValueOf<K['type']>;
 };
 
-type ValueOf<T extends GlslType> = T extends 'float' | 'int' ? number : readonly number[];
+type ValueOf<T extends GlslType> = T extends 'float' | 'int' | 'uint' ? number : readonly number[];
 
 /** A struct whose members' places are known. `size` is also the stride of an array of it. */
 export interface StructLayout {
@@ -119,6 +120,7 @@ export function writeStruct(
     const value = values[member.name];
     if (value === undefined) throw new TypeError(`${struct.name}.${member.name} has no value`);
     if (member.type === 'int') view.setInt32(at, value as number, true);
+    else if (member.type === 'uint') view.setUint32(at, value as number, true);
     else {
       // A float takes the first component of a colour: it is there where all of them are equal.
       const components = [value].flat().slice(0, componentCount(member.type));

@@ -7,8 +7,8 @@ import { structName } from './pack-scene.ts';
 import { moreParts } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
+import { directKinds } from './light-records.ts';
 import { isSolid } from './scene-needs.ts';
-import { lightKinds } from './schema.ts';
 import type { BlockLayout } from './std140.ts';
 
 interface Part {
@@ -160,7 +160,7 @@ function checkerGlsl(checkered: readonly Part[]): string {
 
 /** The light of all lights that a surface sends along -d. */
 function lightsGlsl({ lights }: Requirements): string {
-  const terms = lightKinds.flatMap((kind) =>
+  const terms = directKinds.flatMap((kind) =>
     Array.from({ length: lights[kind] }, (_, i) => `${kind}Light(scene.${kind}Light${i}, scene, from, s, p, d)`),
   );
   if (terms.length === 0) return '';

@@ -21,6 +21,7 @@ export const box = definePrimitive({
   },
   // All of space lies beyond both of its ends.
   absent: { low: [1, 1, 1], high: [-1, -1, -1], low2: [0, 0, 0], high2: [0, 0, 0], perCell: 0 },
+  closed: true,
   bounds: (shape) => boxCorners(shape),
   extent(shape, frame) {
     const { min, max } = boxCorners(shape);

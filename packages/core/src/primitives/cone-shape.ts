@@ -86,6 +86,7 @@ export const cone = definePrimitive({
     cellV: ZERO,
     cellsAlong: 0,
   },
+  closed: true,
   bounds: ({ base, tip, radius }) => roundBounds(base, tip, radius, 0),
   extent: ({ base, tip, radius }, frame) =>
     Math.max(length(toFrame(frame, base)), length(toFrame(frame, tip)), radius * frame.scale),

@@ -80,6 +80,7 @@ export const cylinder = definePrimitive({
     cellV: ZERO,
     cellsAlong: 0,
   },
+  closed: true,
   bounds: ({ base, top, radius }) => roundBounds(base, top, radius, radius),
   extent: ({ base, top, radius }, frame) =>
     Math.max(length(toFrame(frame, base)), length(toFrame(frame, top)), radius * frame.scale),

@@ -30,6 +30,7 @@ export const disc = definePrimitive({
   },
   // A distance of nothing, which is not above 0.
   absent: { center: [0, 0, 0], centerLow: [0, 0, 0], ...NO_NORMAL, height: 0, radius2: 0, ...NO_CELLS },
+  closed: false,
   bounds(shape) {
     const { normal } = planeAxes(shape);
     const reach = normal.map((x) => shape.radius * Math.sqrt(Math.max(0, 1 - x * x)));

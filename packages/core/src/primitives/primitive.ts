@@ -31,6 +31,8 @@ export interface Primitive<F extends Fields, M extends readonly Member[]> {
   readonly record: M;
   /** In f64, relative to the camera and scaled by `frame`: rounding to f32 is the last step. `side` is the camera's. */
   pack(shape: Values<F>, frame: Frame, context: PackContext): RecordValues<M>;
+  /** Whether it has an inside, where light that passes through it is in another medium. */
+  readonly closed: boolean;
   /** A record that no ray meets: for the place of an object that is gone. */
   readonly absent: RecordValues<M>;
   /** What the view must hold, or undefined for what has no end. */

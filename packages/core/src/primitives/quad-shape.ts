@@ -47,6 +47,7 @@ export const quad = definePrimitive({
     alongV: [0, 0, 0],
     ...NO_CELLS,
   },
+  closed: false,
   bounds(shape) {
     const corners = quadCorners(shape);
     return {

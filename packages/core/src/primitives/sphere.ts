@@ -54,6 +54,7 @@ export const sphere = definePrimitive({
     half2: [0, 0, 0],
     half3: [0, 0, 0],
   },
+  closed: true,
   bounds: ({ center, radius }) => ({
     min: center.map((x) => x - radius) as unknown as Vec3,
     max: center.map((x) => x + radius) as unknown as Vec3,

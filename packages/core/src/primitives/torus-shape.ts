@@ -70,6 +70,7 @@ export const torus = definePrimitive({
     tangent: [0, 0, 0],
     cellsV: 0,
   },
+  closed: true,
   bounds: (shape) => {
     const { normal } = planeAxes({ normal: shape.axis });
     const reach = normal.map((x) => shape.radius * Math.sqrt(Math.max(1 - x * x, 0)) + shape.tube);

@@ -44,6 +44,7 @@ export const triangle = definePrimitive({
     height: 0,
     ...NO_CELLS,
   },
+  closed: false,
   bounds: ({ a, b, c }) => ({
     min: [0, 1, 2].map((i) => Math.min(a[i] as number, b[i] as number, c[i] as number)) as unknown as Vec3,
     max: [0, 1, 2].map((i) => Math.max(a[i] as number, b[i] as number, c[i] as number)) as unknown as Vec3,

@@ -1,15 +1,13 @@
 /** Twin of shaders/direct.glsl: Whitted's integrator. */
 import type { ResolvedScene } from '../resolve-scene.ts';
 import { add, addScaled, dot, multiply, negate, type Vec3 } from '../vector.ts';
+import { background, type Rgba } from './background.ts';
 import { environmentIrradiance, environmentRadiance } from './light/environment.ts';
 import { lightArriving } from './light/lights.ts';
 import { diffuseAlbedo, fresnel, scattered, schlickWeight } from './material/metallic-roughness.ts';
 import { nearest, occluded } from './nearest.ts';
 import type { Ray } from './ray.ts';
 import { type Surface, surfaceAt } from './surface.ts';
-
-/** Linear radiance, premultiplied by the coverage in alpha. */
-export type Rgba = readonly [number, number, number, number];
 
 /** The radiance along a camera ray: of up to `bounces` surfaces, each lit directly, one seen in the other. */
 export function direct(scene: ResolvedScene, cameraRay: Ray, bounces: number): Rgba {
@@ -50,10 +48,3 @@ function reflected(scene: ResolvedScene, surface: Surface, v: Vec3): Vec3 {
 }
 
 const mirrored = (d: Vec3, n: Vec3): Vec3 => addScaled(d, n, -2 * dot(d, n));
-
-/** What a camera ray shows that meets nothing. */
-function background({ background: shown, environment }: ResolvedScene, direction: Vec3): Rgba {
-  if (shown === 'transparent') return [0, 0, 0, 0];
-  if (shown !== 'environment') return [...shown, 1];
-  return environment ? [...environmentRadiance(environment, direction), 1] : [0, 0, 0, 1];
-}

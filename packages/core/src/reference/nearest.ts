@@ -19,6 +19,8 @@ export function nearest({ objects }: ResolvedScene, ray: Ray): Hit | undefined {
   return hit;
 }
 
-/** Whether something is in the way within a distance. */
-export const occluded = ({ objects }: ResolvedScene, ray: Ray, limit: number): boolean =>
-  objects.some(({ shape }, object) => tracedShape(shape).distance(shape, ray, ray.own === object) < limit);
+/** Whether something is in the way within a distance, other than the lamp that is there. */
+export const occluded = ({ objects }: ResolvedScene, ray: Ray, limit: number, lamp?: number): boolean =>
+  objects.some(
+    ({ shape }, object) => object !== lamp && tracedShape(shape).distance(shape, ray, ray.own === object) < limit,
+  );

@@ -1,11 +1,16 @@
 /** The reference renderer: the same rays and the same random numbers as the shader, in f64. */
-import { cameraFrame, rayDirection } from '../camera-frame.ts';
-import { pixelSample } from '../random.ts';
+import { type CameraFrame, cameraFrame, cameraRay } from '../camera-frame.ts';
+import { pixelSample, pixelSampler, type Sampler, sample2d } from '../random.ts';
 import { resolveScene } from '../resolve-scene.ts';
+import { followsPaths } from '../scene-needs.ts';
 import type { Scene } from '../schema.ts';
 import { parseSettings, type RenderSettings } from '../settings.ts';
-import { normalize, type Vec3 } from '../vector.ts';
+import { add, type Vec3 } from '../vector.ts';
+import { circle } from './circle.ts';
 import { direct } from './direct.ts';
+import { path } from './path.ts';
+import { preparePaths } from './path-scene.ts';
+import type { Ray } from './ray.ts';
 
 export interface ReferenceSettings extends Partial<RenderSettings> {
   /** In pixels. */
@@ -28,15 +33,18 @@ export interface ReferenceImage {
  */
 export function renderReference(scene: Scene, settings: ReferenceSettings): ReferenceImage {
   const { width, height, nudge = [0, 0, 0], ...rest } = settings;
-  const { samples, seed, bounces } = parseSettings(rest);
+  const { samples, seed, bounces, integrator } = parseSettings(rest);
   const resolved = resolveScene(scene, width / height);
+  const paths = followsPaths(resolved, integrator) ? preparePaths(resolved) : undefined;
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
     const frame = cameraFrame(resolved.camera, width, height, pixelSample(sample, seed));
     for (let pixel = 0; pixel < width * height; pixel++) {
       const [x, row] = [pixel % width, Math.floor(pixel / width)];
-      const direction = nudged(normalize(rayDirection(frame, x + 0.5, height - row - 0.5)), nudge);
-      const rgba = direct(resolved, { origin: frame.origin, direction }, bounces);
+      const y = height - 1 - row;
+      const sampler = pixelSampler(x, y, sample, seed);
+      const ray = nudged(rayThrough(frame, x, y, sampler), nudge);
+      const rgba = paths ? path(paths, ray, bounces, sampler) : direct(resolved, ray, bounces);
       rgba.forEach((value, i) => {
         data[4 * pixel + i] = (data[4 * pixel + i] as number) + value / samples;
       });
@@ -45,8 +53,21 @@ export function renderReference(scene: Scene, settings: ReferenceSettings): Refe
   return { width, height, data };
 }
 
-const nudged = (direction: Vec3, ulps: Vec3): Vec3 =>
-  direction.map((x, i) => x + (ulps[i] as number) * ulp32(x)) as unknown as Vec3;
+function rayThrough(frame: CameraFrame, x: number, y: number, sampler: Sampler): Ray {
+  const [angle, area] = frame.lens ? sample2d(sampler, LENS_SET) : [0, 0];
+  const [right, up] = circle(angle);
+  const onLens = [right * Math.sqrt(area), up * Math.sqrt(area)] as const;
+  const { start, direction } = cameraRay(frame, x + 0.5, y + 0.5, onLens);
+  return { origin: add(frame.origin, start), direction };
+}
+
+/** The random numbers of the place on the lens. */
+const LENS_SET = 0;
+
+const nudged = ({ origin, direction }: Ray, ulps: Vec3): Ray => ({
+  origin,
+  direction: direction.map((x, i) => x + (ulps[i] as number) * ulp32(x)) as unknown as Vec3,
+});
 
 /** The distance between neighbouring f32 numbers at x. */
 const ulp32 = (x: number): number => 2 ** (Math.floor(Math.log2(Math.max(Math.abs(x), 2 ** -126))) - 23);

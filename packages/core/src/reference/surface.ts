@@ -11,6 +11,8 @@ export interface Surface {
   readonly position: Vec3;
   /** Unit length, on the side that the ray came from. */
   readonly normal: Vec3;
+  /** Whether that is the outward side, or the front. */
+  readonly front: boolean;
   /** Base colour here. */
   readonly color: Vec3;
   readonly material: Material;
@@ -21,10 +23,12 @@ export function surfaceAt(scene: ResolvedScene, ray: Ray, { object, t }: Hit): S
   const material = scene.materials[index] as Material;
   const position = addScaled(ray.origin, ray.direction, t);
   const outward = tracedShape(shape).normal(shape, position);
+  const front = dot(outward, ray.direction) <= 0;
   return {
     object,
     position,
-    normal: dot(outward, ray.direction) > 0 ? negate(outward) : outward,
+    normal: front ? outward : negate(outward),
+    front,
     color: material.checker ? checkered(material, tracedShape(shape).lengths(shape, position)) : material.color,
     material,
   };

@@ -1,0 +1,164 @@
+// Integrator `path`: unidirectional path tracing with next-event estimation and multiple importance sampling by the power
+// heuristic. Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, sections 9.2.4 and 10.3;
+// J. Kajiya, "The Rendering Equation", SIGGRAPH 1986. What is computed, and the table of random numbers:
+// docs/light-transport.md. Precision: f32.
+#include "constants.glsl"
+#include "sampler.glsl"
+#include "lens.glsl"
+#include "surface-frame.glsl"
+#include "checker.glsl"
+#ifdef ENVIRONMENT
+#include "light/environment.glsl"
+#endif
+#include "generated/objects.glsl"
+#include "background.glsl"
+#include "material/bsdf.glsl"
+#ifdef SOLID
+#include "media.glsl"
+#endif
+#include "vertex.glsl"
+#ifdef SHADOWS
+#include "light/emitters.glsl"
+
+// The weight of a direction that was found with pdf a and not with b: as a quotient, so that no square leaves the range.
+float powerHeuristic(float a, float b) {
+  float ratio = min(a, b) / max(a, b);
+  float square = ratio * ratio;
+  return (a < b ? square : 1.0) / (1.0 + square);
+}
+#endif
+
+bool isBlack(vec3 color) {
+  return max(max(color.r, color.g), color.b) <= 0.0;
+}
+
+vec4 path() {
+  Parts scene = loadParts();
+  Sampler random = pixelSampler(eye.sequence, eye.index);
+  vec3 p;
+  vec3 d;
+#ifdef LENS
+  cameraRay(sample2d(random, 0u), p, d);
+#else
+  cameraRay(p, d);
+#endif
+#if defined(LENS) || defined(ORTHOGRAPHIC)
+  From from = fromPoint(scene, p, NOTHING);
+#else
+  From from = fromCamera(scene);
+#endif
+  vec3 radiance = vec3(0.0);
+  vec3 throughput = vec3(1.0);
+#ifdef SHADOWS
+  // Where the ray under way was scattered, and its pdf; 0 where no light could have been asked for it.
+  float scatteredPdf = 0.0;
+#endif
+#ifdef SOLID
+  Media media = startMedia(scene);
+  float refraction = 1.0;
+#endif
+  for (int event = 0; event <= BOUNCES; event++) {
+    Hit hit = nearest(scene, from, d);
+    if (!(hit.t < MISS)) {
+      if (event == 0) return background(scene, d);
+#ifdef ENVIRONMENT
+      radiance += throughput * environmentRadiance(scene.surroundings, d);
+#endif
+#ifdef SUN_EMITTER
+      radiance += throughput * sunsAt(p, d, scatteredPdf);
+#endif
+      break;
+    }
+#ifdef ATTENUATION
+    throughput *= transmittance(media, hit.t);
+#endif
+    vec3 start = p;
+    p += hit.t * d;
+    from = fromPoint(scene, p, hit);
+    vec3 n = normalAt(scene, from, d);
+    Material m = materialAt(scene, from, p);
+    float cosine = max(-dotInOrder(n, d), 0.0);
+#ifdef SIDES
+    bool front = frontAt(scene, from, d);
+#endif
+#ifdef EMISSIVE
+    if (!isBlack(m.emission)) {
+      float shines = front ? m.shinesInFront : m.shinesBehind;
+#ifdef SHADOWS
+      if (scatteredPdf > 0.0 && m.emitter >= 0) {
+        shines *= powerHeuristic(scatteredPdf, emitterPdf(m.emitter, start, d, hit.t, cosine));
+      }
+#endif
+      radiance += (shines * throughput) * m.emission;
+    }
+#endif
+    if (event == BOUNCES) break;
+
+#if defined(THIN) && defined(SOLID)
+    bool closed = isClosed(hit.object);
+#elif defined(SOLID)
+    bool closed = true;
+#else
+    bool closed = false;
+#endif
+#ifdef SOLID
+    float eta = closed ? relativeIndex(m.ior, media, hit.object, front) : m.ior;
+    Media beyond = media;
+    if (closed) beyond = front ? enter(media, hit.object, m) : leave(media, hit.object);
+#elif defined(TRANSMISSION)
+    float eta = m.ior;
+#else
+    float eta = 1.0;
+#endif
+    Bsdf bsdf = bsdfAt(m, eta, closed);
+    mat3 frame = surfaceFrame(n);
+    vec3 wo = toLocal(frame, -d);
+    wo.z = cosine;
+    uint sets = 4u * uint(event);
+    vec2 choice = sample2d(random, 3u + sets);
+#ifdef SHADOWS
+    if (!isMirrorOnly(bsdf)) {
+      EmitterSample light = sampleEmitter(p, choice.x, sample2d(random, 2u + sets));
+      vec3 wi = toLocal(frame, light.direction);
+      float pdf;
+      vec3 value = bsdfValue(bsdf, wo, wi, pdf);
+      if (light.pdf > 0.0 && !isBlack(value)) {
+        vec3 arriving = light.radiance;
+#ifdef ATTENUATION
+        if (wi.z < 0.0) arriving *= transmittance(beyond, light.distance);
+        else arriving *= transmittance(media, light.distance);
+#endif
+        float weight = light.delta ? 1.0 : powerHeuristic(light.pdf, pdf);
+        weight *= step(occlusion(scene, from, light.direction, light.distance, light.object), 0.0);
+        radiance += throughput * value * arriving * (weight / light.pdf);
+      }
+    }
+#endif
+    BsdfSample onward = bsdfSample(bsdf, wo, sample2d(random, 1u + sets), choice.y);
+    throughput *= onward.weight;
+    if (isBlack(throughput)) break;
+#ifdef SOLID
+    if (onward.wi.z < 0.0 && closed) {
+      media = beyond;
+      refraction *= eta * eta;
+    }
+#endif
+#ifdef ROULETTE
+    if (event >= ROULETTE_FROM) {
+      float survival = max(max(throughput.r, throughput.g), throughput.b);
+#ifdef SOLID
+      survival *= refraction;
+#endif
+      survival = min(survival, 1.0);
+      if (sample2d(random, 4u + sets).x >= survival) break;
+      throughput /= survival;
+    }
+#endif
+#ifdef SHADOWS
+    scatteredPdf = onward.pdf;
+#endif
+    d = toWorld(frame, onward.wi);
+    d /= sqrt(dotInOrder(d, d));
+  }
+  return vec4(min(radiance, vec3(LARGEST)), 1.0);
+}
