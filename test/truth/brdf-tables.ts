@@ -167,7 +167,7 @@ function gltfCase({
 function surface(fields: object): Surface {
   const material = resolveScene(parseScene({ objects: [{ type: 'plane', ...fields }] })).materials[0];
   if (!material) throw new Error('the plane has no material');
-  return { object: 0, position: [0, 0, 0], normal: UP, color: material.color, material };
+  return { object: 0, position: [0, 0, 0], normal: UP, front: true, color: material.color, material };
 }
 
 /** By the file's name; what is missing here is not judged yet. */

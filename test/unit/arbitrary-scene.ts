@@ -46,7 +46,9 @@ const variantOf = (tables: { [kind: string]: { fields: Fields } }, extra: Fields
 /** Takes away fields that contradict each other; what is left is a valid node. */
 function consistent(node: Json): Json {
   if (node.type === 'torus') return withinRing(node);
-  const { direction, position, target, tangent, up, ...rest } = node;
+  const { direction, position, target, tangent, up, decay, ...rest } = node;
+  if (node.type === 'point') return position ? { ...rest, position } : rest;
+  if (node.type === 'spot') return { ...rest, ...(position ? { position } : {}), direction: direction ?? [1, 2, 3] };
   if (node.type === 'cylinder') return { ...node, base: [1, 2, 0], top: [0, 1, -3] };
   if (node.type === 'cone') return { ...node, base: [1, 2, 0], tip: [0, 1, -3] };
   if (node.type === 'quad') return { ...node, edgeU: [1, 2, 0], edgeV: [0, 1, -3] };

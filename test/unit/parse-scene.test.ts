@@ -64,7 +64,8 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
     { objects: [{ type: 'sphere', raduis: 2 }] },
     [
       'objects[0]: unknown key "raduis" (did you mean "radius"?). A sphere takes: center, radius, name, material, color, ' +
-        'metalness, roughness, ior, specular, specularColor, checker, checkerSize.',
+        'metalness, roughness, ior, specular, specularColor, transmission, attenuationColor, attenuationDistance, ' +
+        'emission, emissionIntensity, emissionSide, checker, checkerSize.',
     ],
   ],
   [
@@ -92,7 +93,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
     { materials: { red: {} }, objects: [{ type: 'sphere', material: 'rd' }] },
     [
       'objects[0]: unknown material "rd" (did you mean "red"?). Materials here: red, mirror, gold, silver, copper, ' +
-        'aluminium, plaster.',
+        'aluminium, glass, water, diamond, plaster.',
     ],
   ],
   [

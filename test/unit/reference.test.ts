@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { intersect, type Material, parseScene, type Vec3 } from '@ray-scene/core';
+import { intersect, type Material, parseScene, resolveScene, type Vec3 } from '@ray-scene/core';
 import { renderReference } from '@ray-scene/core/reference';
 import fc from 'fast-check';
 import { scattered } from '../../packages/core/src/reference/material/metallic-roughness.ts';
@@ -62,16 +62,8 @@ test('next to a planet the ground is as far away as it is, and so is the horizon
   );
 });
 
-const material = (given: Partial<Material>): Material => ({
-  color: [1, 1, 1],
-  metalness: 0,
-  roughness: 0.5,
-  ior: 1.5,
-  specular: 1,
-  specularColor: [1, 1, 1],
-  checkerSize: 1,
-  ...given,
-});
+const material = (given: Partial<Material>): Material =>
+  resolveScene(parseScene({ objects: [{ type: 'sphere', ...given }] })).materials[0] as Material;
 
 const upwards = fc.tuple(share, share).map(([u, v]): Vec3 => {
   const z = 0.02 + 0.98 * u;
@@ -80,7 +72,10 @@ const upwards = fc.tuple(share, share).map(([u, v]): Vec3 => {
 });
 
 const brdf = (m: Material, v: Vec3, l: Vec3): Vec3 =>
-  scale(scattered({ object: 0, position: [0, 0, 0], normal: [0, 0, 1], color: m.color, material: m }, v, l), 1 / l[2]);
+  scale(
+    scattered({ object: 0, position: [0, 0, 0], normal: [0, 0, 1], front: true, color: m.color, material: m }, v, l),
+    1 / l[2],
+  );
 
 test('the BRDF is the same both ways', () => {
   fc.assert(

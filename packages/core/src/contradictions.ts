@@ -17,7 +17,9 @@ const isFlat = (a: Vec3, b: Vec3, c: Vec3): boolean =>
   parallel(subtract(b, a), subtract(c, a)) || parallel(subtract(c, b), subtract(a, b));
 
 const softWithoutDecay = ({ radius, decay }: NodeValues): readonly (string | false)[] => [
-  (radius as number) > 0 && decay === 0 && 'decay must be 2 where there is a radius: a ball of light fades as light does',
+  (radius as number) > 0 &&
+    decay === 0 &&
+    'decay must be 2 where there is a radius: a ball of light fades as light does',
 ];
 
 const rules: { readonly [label: string]: (node: NodeValues) => readonly (string | false)[] } = {

@@ -4,7 +4,7 @@ import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
 import { loadedParts, loadedPaths, moreParts, shapeFile, shapeGlsl } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
-import { ROULETTE_FROM, type Requirements } from './requirements.ts';
+import { type Requirements, ROULETTE_FROM } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';

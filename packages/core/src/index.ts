@@ -1,7 +1,14 @@
 /** `@ray-scene/core`: scenes, what they require, and the shaders and buffers that draw them. No DOM, no GL. */
 export { type AssembledGlsl, assembleGlsl, type GlslSources } from './assemble-glsl.ts';
 export { builtInMaterials } from './built-in-materials.ts';
-export { type CameraFrame, cameraAxes, cameraFrame, type ResolvedCamera, rayDirection } from './camera-frame.ts';
+export {
+  type CameraFrame,
+  cameraAxes,
+  cameraFrame,
+  cameraRay,
+  type ResolvedCamera,
+  rayDirection,
+} from './camera-frame.ts';
 export { type Field, type Fields, type Limits, Mismatch, suggestion, type Values } from './fields.ts';
 export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
@@ -10,7 +17,7 @@ export { type JsonSchema, sceneJsonSchema } from './json-schema.ts';
 export { loadParts } from './load-parts.ts';
 export { orbitCamera, panCamera, zoomCamera } from './move-camera.ts';
 export { nearestWord } from './nearest-word.ts';
-export { packScene, packView } from './pack-scene.ts';
+export { packingFrame, packScene, packView } from './pack-scene.ts';
 export { parseScene, type SourceWords } from './parse-scene.ts';
 export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 export { pixelSample } from './random.ts';
@@ -24,3 +31,4 @@ export { serializeScene } from './serialize-scene.ts';
 export { parseSettings, type RenderSettings, settingsFields } from './settings.ts';
 export type { BlockLayout } from './std140.ts';
 export type { Vec3 } from './vector.ts';
+export type { SampleNumber } from './view-record.ts';

@@ -2,11 +2,12 @@
  * The generated part of the shader for scenes of many objects: they are gone through in loops over uniform arrays, and
  * which one a ray met is told by its number. The same functions as in `unrolled-objects.ts`.
  */
+
+import { directKinds } from './light-records.ts';
 import { arrayName, structName } from './pack-scene.ts';
 import { primitiveOfKind } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
-import { directKinds } from './light-records.ts';
 import { isSolid } from './scene-needs.ts';
 import type { BlockLayout } from './std140.ts';
 

@@ -1,7 +1,8 @@
 /** What the shader is told of a material: the numbers that it computes with, worked out once in f64. */
+
+import { LARGEST_LENGTH } from './fields.ts';
 import type { Material } from './schema.ts';
 import type { RecordValues } from './std140.ts';
-import { LARGEST_LENGTH } from './fields.ts';
 import { subtract, scale as times, type Vec3 } from './vector.ts';
 
 export const materialRecord = [

@@ -71,12 +71,16 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const indexed = required.features.includes('indexed');
   const wideRange = required.features.includes('wideRange');
   const numbers = objectNumbers(scene, required);
-  const emitters = required.features.includes('path') ? pathParts().packEmitters(scene, frame, numbers) : [];
+  const emitters = required.features.includes('path')
+    ? pathParts().packEmitters(scene, frame, numbers, required.emitters)
+    : [];
   emitters.forEach(({ record }, i) => {
     writer.write('emitters', i, record);
   });
   const material = (index: number) => {
-    const emitter = emitters.findIndex(({ object }) => object !== undefined && scene.objects[object]?.material === index);
+    const emitter = emitters.findIndex(
+      ({ object }) => object !== undefined && scene.objects[object]?.material === index,
+    );
     return packMaterial(scene.materials[index] as Material, frame.scale, emitter);
   };
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));

@@ -5,11 +5,11 @@
 import planeGlsl from '../../../shaders/shape/plane.glsl';
 import sphereGlsl from '../../../shaders/shape/sphere.glsl';
 import type { Fields } from './fields.ts';
+import type { Frame } from './frame.ts';
 import type { ShapeKind } from './primitives/index.ts';
 import { plane } from './primitives/plane.ts';
 import type { Primitive } from './primitives/primitive.ts';
 import { sphere } from './primitives/sphere.ts';
-import type { Frame } from './frame.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import type { Feature } from './scene-needs.ts';
@@ -52,8 +52,11 @@ export interface PathParts {
   needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
   /** What the shader is told of an emitter. */
   readonly emitterRecord: readonly Member[];
-  /** All emitters; `numbers` are those of the scene's objects in the shader. */
-  packEmitters(scene: ResolvedScene, frame: Frame, numbers: readonly number[]): readonly PackedEmitter[];
+  /**
+   * All emitters, and as many without light as are missing of `count`. `numbers` are those of the scene's objects in the
+   * shader.
+   */
+  packEmitters(scene: ResolvedScene, frame: Frame, numbers: readonly number[], count: number): readonly PackedEmitter[];
 }
 
 let paths: PathParts | undefined;

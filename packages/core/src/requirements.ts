@@ -1,7 +1,15 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
 import { shapeKinds } from './primitives/index.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { type Feature, features, isSolid, mergeNeeds, type SceneNeeds, sceneNeeds, type Tracing } from './scene-needs.ts';
+import {
+  type Feature,
+  features,
+  isSolid,
+  mergeNeeds,
+  type SceneNeeds,
+  sceneNeeds,
+  type Tracing,
+} from './scene-needs.ts';
 
 export interface Requirements {
   /** What they follow from. */
@@ -28,7 +36,14 @@ export const mergeRequirements = (a: Requirements, b: Requirements): Requirement
 /** Equal for requirements that the same program serves. */
 export const requirementsKey = ({ features: present, bounces, ...counts }: Requirements): string => {
   const isEndless = present.includes('reflections') || present.includes('path');
-  return JSON.stringify([present, isEndless ? bounces : 1, counts.shapes, counts.lights, counts.emitters, counts.materials]);
+  return JSON.stringify([
+    present,
+    isEndless ? bounces : 1,
+    counts.shapes,
+    counts.lights,
+    counts.emitters,
+    counts.materials,
+  ]);
 };
 
 /**
@@ -41,8 +56,7 @@ function derive(needs: SceneNeeds): Requirements {
   const objects = total(needs.shapes);
   const { sphere, plane } = needs.shapes;
   const follows = needs.features.has('path');
-  const indexed =
-    follows || objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
+  const indexed = follows || objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
   const places = <C extends { readonly [kind: string]: number }>(counts: C): C =>
     (indexed ? Object.fromEntries(Object.entries(counts).map(([kind, n]) => [kind, roundedUp(n)])) : counts) as C;
   const present = follows ? pathFeatures(needs) : directFeatures(needs, indexed);
@@ -51,7 +65,7 @@ function derive(needs: SceneNeeds): Requirements {
     bounces: needs.bounces,
     shapes: places(needs.shapes),
     lights: places(needs.lights),
-    emitters: roundedUp(needs.emitters),
+    emitters: needs.emitters,
     // Objects that are written out one by one have a material each.
     materials: indexed ? roundedUp(needs.materials) : objects,
     features: features.filter((feature) => present.has(feature)),

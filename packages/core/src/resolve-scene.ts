@@ -40,7 +40,13 @@ export interface ResolvedScene {
 /** The neutral studio that lights a scene without light of its own: a soft sky and one key light from the upper left. */
 const studio = {
   environment: { kind: 'gradient', top: [1, 1, 1], bottom: [0.25, 0.25, 0.25] } satisfies ResolvedEnvironment,
-  key: { type: 'directional', direction: [1, -2, -1.5], color: [1, 1, 1], intensity: 1.6, angularDiameter: 0 } satisfies Light,
+  key: {
+    type: 'directional',
+    direction: [1, -2, -1.5],
+    color: [1, 1, 1],
+    intensity: 1.6,
+    angularDiameter: 0,
+  } satisfies Light,
 } as const;
 
 /**
@@ -52,7 +58,9 @@ export function resolveScene(scene: Scene, aspect = 1, camera?: ResolvedCamera):
   const given = scene.objects.map((object, index) => ({ shape: object, material: materials.indexOf(object), index }));
   const unlit = scene.lights.length === 0 && !scene.environment && !materials.list.some(isEmissive);
   const lights = unlit ? [studio.key] : scene.lights;
-  const objects = [...given, ...ballsOf(lights, materials)].sort((a, b) => shapeKinds.indexOf(a.shape.type) - shapeKinds.indexOf(b.shape.type));
+  const objects = [...given, ...ballsOf(lights, materials)].sort(
+    (a, b) => shapeKinds.indexOf(a.shape.type) - shapeKinds.indexOf(b.shape.type),
+  );
   const environment = unlit ? studio.environment : environmentOf(scene);
   const view = camera ?? frameObjects(scene, aspect);
   return {
@@ -89,12 +97,14 @@ function objectsAround(
   objects: readonly ResolvedObject[],
   materials: readonly Material[],
 ): readonly number[] {
-  const inside = objects.map((_, number) => number).filter((number) => {
-    const { shape, material } = objects[number] as ResolvedObject;
-    const transmits = (materials[material] as Material).transmission > 0;
-    const primitive = transmits ? primitiveOf(shape) : undefined;
-    return !!primitive?.closed && primitive.side(shape, position) < 0;
-  });
+  const inside = objects
+    .map((_, number) => number)
+    .filter((number) => {
+      const { shape, material } = objects[number] as ResolvedObject;
+      const transmits = (materials[material] as Material).transmission > 0;
+      const primitive = transmits ? primitiveOf(shape) : undefined;
+      return !!primitive?.closed && primitive.side(shape, position) < 0;
+    });
   const size = (number: number): number => {
     const { shape } = objects[number] as ResolvedObject;
     return primitiveOf(shape).size(shape);

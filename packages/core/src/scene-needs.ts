@@ -141,7 +141,9 @@ function isPlain({ camera, lights: nodes, materials }: ResolvedScene): boolean {
   return (
     camera.type !== 'orthographic' &&
     !camera.aperture &&
-    nodes.every((light) => (light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius)) &&
+    nodes.every((light) =>
+      light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius,
+    ) &&
     materials.every((one) => !one.transmission && !isEmissive(one))
   );
 }

@@ -61,7 +61,11 @@ export const lights = {
       direction: vector('Direction of its axis, in place of the target.', { nonzero: true }),
       color: lightColor,
       intensity: candela,
-      angle: number('Angle between the axis and the edge of the cone, in degrees.', { default: 45, above: 0, max: 180 }),
+      angle: number('Angle between the axis and the edge of the cone, in degrees.', {
+        default: 45,
+        above: 0,
+        max: 180,
+      }),
       penumbra: number('Share of that angle over which light fades towards the edge.', { default: 0, min: 0, max: 1 }),
       decay,
       radius: lightRadius,

@@ -3,11 +3,12 @@
  * is a sum over all of them with weights, 1 for the object that it met and 0 for the others. There is no loop and no
  * table look-up; see `indexed-objects.ts` for the same functions over many objects.
  */
+
+import { directKinds } from './light-records.ts';
 import { structName } from './pack-scene.ts';
 import { moreParts } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
-import { directKinds } from './light-records.ts';
 import { isSolid } from './scene-needs.ts';
 import type { BlockLayout } from './std140.ts';
 

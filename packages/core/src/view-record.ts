@@ -27,7 +27,11 @@ export interface SampleNumber {
 }
 
 /** `scale`: the scene's in its frame, for what has a length. */
-export function packEye(view: CameraFrame, scale: number, { sample, seed }: SampleNumber): RecordValues<typeof eyeRecord> {
+export function packEye(
+  view: CameraFrame,
+  scale: number,
+  { sample, seed }: SampleNumber,
+): RecordValues<typeof eyeRecord> {
   const { corner, stepX, stepY, orthographic, lens = [NOWHERE, NOWHERE] } = view;
   const window = orthographic ? scale : 1;
   return {

@@ -47,6 +47,12 @@ export interface RenderStats {
   readonly precision: Precision;
 }
 
+/** What a renderer is to draw, and how. */
+interface Asked {
+  readonly scene?: Scene;
+  readonly settings?: RenderSettings;
+}
+
 /** A view of a scene. Everything on the GPU is made when it is first needed, and again after a loss of the context. */
 export class Renderer {
   /** Told of what goes wrong while drawing; by default it becomes an uncaught error of the page. */
@@ -63,7 +69,7 @@ export class Renderer {
   };
   #hasScene = false;
   /** What was asked for last. */
-  #next: Scene | undefined;
+  #next: Asked = {};
   #tracer: Tracer | undefined;
   #display: Display | undefined;
   #accumulation: Accumulation | undefined;
@@ -95,22 +101,13 @@ export class Renderer {
 
   /** The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there. */
   setScene(scene: Scene): void {
-    this.#next = scene;
-    const loading = loadParts(scene, this.#device.shaderOptions);
-    if (!loading) this.#show(scene);
-    loading?.then(
-      () => {
-        if (this.#next !== scene) return;
-        this.#show(scene);
-        this.onrestored();
-      },
-      (error: Error) => this.onerror(error),
-    );
+    this.#next = { ...this.#next, scene };
+    this.#showNext();
   }
 
   setSettings(settings: RenderSettings): void {
-    this.#view.settings = settings;
-    this.#presented = false;
+    this.#next = { ...this.#next, settings };
+    this.#showNext();
   }
 
   /** Replaces the scene's camera, as controls do, until it is set to undefined. */
@@ -174,12 +171,33 @@ export class Renderer {
   /** Frees what it has on the GPU; the canvas keeps its picture. */
   dispose(): void {
     this.#hasScene = false;
-    this.#next = undefined;
+    this.#next = {};
     this.#device.remove(this.#listener);
     this.#release();
   }
 
-  #show(scene: Scene): void {
+  /** Shows what was asked for last, as soon as the page has loaded what that needs. */
+  #showNext(): void {
+    const next = this.#next;
+    const { scene, settings } = next;
+    const loading = scene && loadParts(scene, this.#device.shaderOptions, settings);
+    if (!loading) this.#show(next);
+    loading?.then(
+      () => {
+        if (this.#next !== next) return;
+        this.#show(next);
+        this.onrestored();
+      },
+      (error: Error) => this.onerror(error),
+    );
+  }
+
+  #show({ scene, settings }: Asked): void {
+    if (settings && settings !== this.#view.settings) {
+      this.#view.settings = settings;
+      this.#presented = false;
+    }
+    if (!scene || scene === this.#view.scene) return;
     this.#hasScene = true;
     this.#view.scene = scene;
   }
@@ -201,7 +219,8 @@ export class Renderer {
     let added = 0;
     while (accumulation.samples < samples && (added < 1 || (added < most && performance.now() - start < budgetMs))) {
       const jitter = pixelSample(accumulation.samples, seed);
-      accumulation.add(() => tracer.draw(cameraFrame(camera, width, height, jitter)));
+      const sample = { sample: accumulation.samples, seed };
+      accumulation.add(() => tracer.draw(cameraFrame(camera, width, height, jitter), sample));
       added++;
     }
     if (added > 0 || !this.#presented) this.#present(accumulation);

@@ -3,11 +3,13 @@ import {
   type BlockLayout,
   type CameraFrame,
   generateShader,
+  packingFrame,
   packScene,
   packView,
   type Requirements,
   type ResolvedScene,
   requirementsKey,
+  type SampleNumber,
   type ShaderOptions,
 } from '@ray-scene/core';
 import { blockBindings, type Program } from './program.ts';
@@ -21,6 +23,7 @@ export class Tracer {
   readonly #program: Program;
   readonly #scene: UniformBlock;
   readonly #view: UniformBlock;
+  #frame = { scale: 1 };
 
   /** @throws {Error} when the scene has more in it than the GPU takes. */
   constructor(gl: WebGL2RenderingContext, programs: ProgramCache, required: Requirements, options: ShaderOptions) {
@@ -41,13 +44,14 @@ export class Tracer {
 
   /** Takes the numbers of a scene, seen from its camera. It must require no more than this tracer has. */
   setScene(scene: ResolvedScene): void {
+    this.#frame = packingFrame(scene);
     this.#scene.write(packScene(scene, this.#required, this.#scene.layout));
   }
 
   /** Draws one sample of every pixel into the bound framebuffer. */
-  draw(frame: CameraFrame): void {
+  draw(view: CameraFrame, sample?: SampleNumber): void {
     this.#program.use();
-    this.#view.write(packView(frame, this.#view.layout));
+    this.#view.write(packView(view, this.#view.layout, this.#frame, sample));
     this.#scene.bind();
     this.#view.bind();
     this.#gl.drawArrays(this.#gl.TRIANGLES, 0, 3);

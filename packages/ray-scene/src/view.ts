@@ -31,6 +31,10 @@ export class View {
     return this.#revision;
   }
 
+  get scene(): Scene {
+    return this.#scene;
+  }
+
   get settings(): RenderSettings {
     return this.#settings;
   }

@@ -1,17 +1,18 @@
 /** A scene made ready for the integrator `path`: with what can be asked for light. */
-import { type Emitter, emittersOf } from '../emitters.ts';
-import { type EmitterTable, emitterTable } from '../emitter-table.ts';
+
+import { type AliasTable, emitterTable } from '../emitter-table.ts';
+import { type Emitter, sceneEmitters } from '../emitters.ts';
 import type { ResolvedScene } from '../resolve-scene.ts';
 
 export interface PathScene extends ResolvedScene {
   readonly emitters: readonly Emitter[];
-  readonly table: EmitterTable;
+  readonly table: AliasTable;
   /** By number of the object: its place among the emitters, if it is one. */
   readonly emitterOf: readonly (number | undefined)[];
 }
 
 export function preparePaths(scene: ResolvedScene): PathScene {
-  const emitters = emittersOf(scene);
+  const emitters = sceneEmitters(scene);
   const emitterOf: (number | undefined)[] = [];
   emitters.forEach((emitter, i) => {
     if ('object' in emitter) emitterOf[emitter.object] = i;

@@ -1,17 +1,17 @@
 /** Twin of shaders/path.glsl: the integrator `path`, and what `direct` becomes where light is more than points. */
 import { type Sampler, sample2d } from '../random.ts';
 import { ROULETTE_FROM } from '../requirements.ts';
-import { add, multiply, negate, scale, type Vec3 } from '../vector.ts';
+import { add, addScaled, multiply, negate, scale, type Vec3 } from '../vector.ts';
 import { background, type Rgba } from './background.ts';
-import { environmentRadiance } from './light/environment.ts';
 import { type EmitterSample, emitterPdf, sampleEmitter } from './light/emitters.ts';
+import { environmentRadiance } from './light/environment.ts';
 import { type Bsdf, bsdfSample, bsdfValue, isMirrorOnly } from './material/bsdf.ts';
-import { bsdfAt, emittedRadiance, type Vertex, vertexAt } from './vertex.ts';
 import { enter, leave, type Media, startMedia, transmittance } from './media.ts';
 import { nearest, occluded } from './nearest.ts';
 import type { PathScene } from './path-scene.ts';
 import type { Ray } from './ray.ts';
 import { toLocal, toWorld } from './surface-frame.ts';
+import { bsdfAt, emittedRadiance, type Vertex, vertexAt } from './vertex.ts';
 
 /** What is asked of random numbers at each scattering event, as in docs/light-transport.md. */
 const SETS = { direction: 1, light: 2, choice: 3, roulette: 4, perEvent: 4 } as const;
@@ -106,9 +106,9 @@ function emissionWeight(scene: PathScene, vertex: Vertex, ray: Ray, t: number, {
 /** What comes from infinitely far away: the surroundings, and the suns that the direction points into. */
 function escaped(scene: PathScene, direction: Vec3, { from, pdf }: Scattered): Vec3 {
   const surroundings: Vec3 = scene.environment ? environmentRadiance(scene.environment, direction) : [0, 0, 0];
-  return scene.distant.reduce((sum, { emitter, radiance }): Vec3 => {
-    const asked = emitterPdf(scene, emitter, from, direction, Number.POSITIVE_INFINITY, 1);
-    const weight = pdf === 0 ? 1 : powerHeuristic(pdf, asked);
-    return asked > 0 ? add(sum, scale(radiance, weight)) : sum;
+  return scene.emitters.reduce((sum, emitter, i): Vec3 => {
+    if (emitter.kind !== 'sun') return sum;
+    const asked = emitterPdf(scene, i, from, direction, Number.POSITIVE_INFINITY, 1);
+    return asked > 0 ? addScaled(sum, emitter.radiance, pdf === 0 ? 1 : powerHeuristic(pdf, asked)) : sum;
   }, surroundings);
 }

@@ -1,5 +1,5 @@
 /** Twin of shaders/vertex.glsl: a place where a path meets a surface, and what that does to light. */
-import { ggxAlpha, dielectricReflectance } from '../material-record.ts';
+import { dielectricReflectance, ggxAlpha } from '../material-record.ts';
 import { primitiveOf } from '../parts.ts';
 import type { ResolvedScene } from '../resolve-scene.ts';
 import { dot, scale, type Vec3 } from '../vector.ts';

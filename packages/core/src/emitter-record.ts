@@ -1,0 +1,2 @@
+export const emitterRecord = [];
+export const packEmitters = () => [];
