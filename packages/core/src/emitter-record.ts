@@ -1,2 +1,0 @@
-export const emitterRecord = [];
-export const packEmitters = () => [];
