@@ -46,6 +46,7 @@ export const features = [
   'roulette',
   'lens',
   'orthographic',
+  // What can be asked for light:
   'pointEmitter',
   'spotEmitter',
   'directionalEmitter',
@@ -56,8 +57,11 @@ export const features = [
   'triangleEmitter',
   'boxEmitter',
   'cylinderEmitter',
-  'imageEmitter',
   'severalEmitters',
+  // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
+  'steadyEmitter',
+  'aimedBall',
+  'innerEmitter',
   'wideRange',
   'indexed',
   'environment',
