@@ -28,6 +28,19 @@ float powerHeuristic(float a, float b) {
 }
 #endif
 
+#ifdef SUN_EMITTER
+// The suns that a direction points into, weighted as what the BSDF found with this pdf.
+vec3 sunsAt(vec3 d, float pdf) {
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < EMITTERS; i++) {
+    if (!isSun(emitters[i])) continue;
+    float asked = emitterPdf(i, vec3(0.0), d, MISS, 1.0, -1);
+    if (asked > 0.0) light += (pdf > 0.0 ? powerHeuristic(pdf, asked) : 1.0) * emitters[i].strength;
+  }
+  return light;
+}
+#endif
+
 bool isBlack(vec3 color) {
   return max(max(color.r, color.g), color.b) <= 0.0;
 }
@@ -65,14 +78,17 @@ vec4 path() {
       radiance += throughput * environmentRadiance(scene.surroundings, d);
 #endif
 #ifdef SUN_EMITTER
-      radiance += throughput * sunsAt(p, d, scatteredPdf);
+      radiance += throughput * sunsAt(d, scatteredPdf);
 #endif
       break;
     }
 #ifdef ATTENUATION
     throughput *= transmittance(media, hit.t);
 #endif
+#if defined(EMISSIVE) && defined(SHADOWS)
     vec3 start = p;
+    int left = from.own.object;
+#endif
     p += hit.t * d;
     from = fromPoint(scene, p, hit);
     vec3 n = normalAt(scene, from, d);
@@ -86,10 +102,14 @@ vec4 path() {
       float shines = front ? m.shinesInFront : m.shinesBehind;
 #ifdef SHADOWS
       if (scatteredPdf > 0.0 && m.emitter >= 0) {
-        shines *= powerHeuristic(scatteredPdf, emitterPdf(m.emitter, start, d, hit.t, cosine));
+        shines *= powerHeuristic(scatteredPdf, emitterPdf(m.emitter, start, d, hit.t, cosine, left));
       }
 #endif
+#ifdef AIMED_BALL
+      radiance += (shines * throughput) * (m.emitter >= 0 ? emitterRadiance(m.emitter, d) : m.emission);
+#else
       radiance += (shines * throughput) * m.emission;
+#endif
     }
 #endif
     if (event == BOUNCES) break;
@@ -115,10 +135,10 @@ vec4 path() {
     vec3 wo = toLocal(frame, -d);
     wo.z = cosine;
     uint sets = 4u * uint(event);
-    vec2 choice = sample2d(random, 3u + sets);
+    vec2 chance = sample2d(random, 3u + sets);
 #ifdef SHADOWS
     if (!isMirrorOnly(bsdf)) {
-      EmitterSample light = sampleEmitter(p, choice.x, sample2d(random, 2u + sets));
+      EmitterSample light = sampleEmitter(p, chance.x, sample2d(random, 2u + sets), hit.object);
       vec3 wi = toLocal(frame, light.direction);
       float pdf;
       vec3 value = bsdfValue(bsdf, wo, wi, pdf);
@@ -134,7 +154,7 @@ vec4 path() {
       }
     }
 #endif
-    BsdfSample onward = bsdfSample(bsdf, wo, sample2d(random, 1u + sets), choice.y);
+    BsdfSample onward = bsdfSample(bsdf, wo, sample2d(random, 1u + sets), chance.y);
     throughput *= onward.weight;
     if (isBlack(throughput)) break;
 #ifdef SOLID

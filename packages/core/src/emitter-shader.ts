@@ -15,8 +15,11 @@ EmitterSample sampleOf(Emitter e, vec3 p, vec2 u, bool own) {
 ${forKind(kinds, (kind) => `return ${kind}Sample(e, p, u, own);`)}}
 float pdfOf(Emitter e, vec3 from, vec3 d, float t, float cosine, bool own) {
 ${forKind(kinds, (kind) => (POINTS.includes(kind) ? 'return 0.0;' : `return ${kind}Pdf(e, from, d, t, cosine, own);`))}}
-`;
+${kinds.includes('sun') ? isSunGlsl(kinds) : ''}`;
 }
+
+const isSunGlsl = (kinds: readonly EmitterKind[]): string =>
+  `bool isSun(Emitter e) {\n  return ${kinds.length > 1 ? `e.kind == ${emitterKinds.indexOf('sun')}` : 'true'};\n}\n`;
 
 function forKind(kinds: readonly EmitterKind[], statement: (kind: EmitterKind) => string): string {
   const lines = kinds.map((kind, i) => {

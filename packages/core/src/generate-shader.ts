@@ -45,6 +45,7 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
     ...(main === undefined ? {} : { [root]: main }),
     'generated/limits.glsl': limitsGlsl(required),
     'generated/view.glsl': blockGlsl(view),
+    'generated/emitters.glsl': loadedPaths()?.emittersGlsl(required.features) ?? '',
     'generated/rows.glsl': rows?.vertex ?? '',
     'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
     'generated/objects.glsl':
@@ -62,10 +63,12 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   return { vertex: vertex.text, fragment: fragment.text, lines: fragment.lines, sceneBlock: scene, viewBlock: view };
 }
 
-const limitsGlsl = ({ bounces, features: present, emitters }: Requirements): string =>
-  present.includes('path')
-    ? `const int BOUNCES = ${bounces};\nconst int ROULETTE_FROM = ${ROULETTE_FROM};\nconst int EMITTERS = ${emitters};\n`
-    : `const float BOUNCES = ${bounces}.0;\n`;
+function limitsGlsl({ bounces, features: present, emitters }: Requirements): string {
+  if (!present.includes('path')) return `const float BOUNCES = ${bounces}.0;\n`;
+  const roulette = present.includes('roulette') ? `const int ROULETTE_FROM = ${ROULETTE_FROM};\n` : '';
+  const suns = present.includes('sunEmitter') ? `const int EMITTERS = ${emitters};\n` : '';
+  return `const int BOUNCES = ${bounces};\n${roulette}${suns}`;
+}
 
 /** `specularTint` as it is asked for in GLSL: `SPECULAR_TINT`. */
 const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').toUpperCase();

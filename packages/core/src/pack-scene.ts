@@ -31,9 +31,7 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
       struct: struct(lightRecords[kind].struct, lightRecords[kind].record),
       count: required.lights[kind],
     })),
-    ...(required.emitters > 0
-      ? [{ name: 'emitters', struct: struct('Emitter', pathParts().emitterRecord), count: required.emitters }]
-      : []),
+    ...(has('path') ? pathParts().emitterEntries(required.features, required.emitters) : []),
     { name: 'materials', struct: struct('Material', materialRecord), count: required.materials },
     { name: 'surroundings', struct: struct('Surroundings', surroundingsRecord) },
   ]);
@@ -71,18 +69,16 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const indexed = required.features.includes('indexed');
   const wideRange = required.features.includes('wideRange');
   const numbers = objectNumbers(scene, required);
-  const emitters = required.features.includes('path')
+  const lit = required.features.includes('path')
     ? pathParts().packEmitters(scene, frame, numbers, required.emitters)
-    : [];
-  emitters.forEach(({ record }, i) => {
+    : undefined;
+  lit?.emitters.forEach(({ record }, i) => {
     writer.write('emitters', i, record);
   });
-  const material = (index: number) => {
-    const emitter = emitters.findIndex(
-      ({ object }) => object !== undefined && scene.objects[object]?.material === index,
-    );
-    return packMaterial(scene.materials[index] as Material, frame.scale, emitter);
-  };
+  if (lit) writer.write('choice', 0, lit.choice);
+  const shining = lit?.emitters.map(({ object }) => scene.objects[object ?? -1]?.material) ?? [];
+  const material = (index: number) =>
+    packMaterial(scene.materials[index] as Material, frame.scale, shining.indexOf(index));
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;
   for (const kind of shapeKinds) {

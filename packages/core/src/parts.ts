@@ -13,7 +13,7 @@ import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import type { Feature } from './scene-needs.ts';
-import type { BlockLayout, Member, RecordValues } from './std140.ts';
+import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 
 /** A primitive of any kind, with the text of its shader file. */
 interface Part {
@@ -50,13 +50,20 @@ export interface PathParts {
   readonly files: { readonly [file: string]: string };
   /** What the integrator asks of a scene, beyond what its nodes say by themselves. */
   needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
-  /** What the shader is told of an emitter. */
-  readonly emitterRecord: readonly Member[];
+  /** What the block `Scene` holds of so many emitters. */
+  emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[];
+  /** The part of a shader that tells kinds of emitters apart. */
+  emittersGlsl(features: readonly Feature[]): string;
   /**
    * All emitters, and as many without light as are missing of `count`. `numbers` are those of the scene's objects in the
    * shader.
    */
-  packEmitters(scene: ResolvedScene, frame: Frame, numbers: readonly number[], count: number): readonly PackedEmitter[];
+  packEmitters(
+    scene: ResolvedScene,
+    frame: Frame,
+    numbers: readonly number[],
+    count: number,
+  ): { readonly emitters: readonly PackedEmitter[]; readonly choice: RecordValues<readonly Member[]> };
 }
 
 let paths: PathParts | undefined;

@@ -1,4 +1,5 @@
 /** What the integrator `path` asks of a scene, beyond what its nodes say by themselves. */
+import { emitterFeatures } from './emitter-record.ts';
 import { sceneEmitters } from './emitters.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
@@ -26,9 +27,8 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
     lens: !!camera.aperture && camera.type !== 'orthographic',
     orthographic: camera.type === 'orthographic',
   };
-  const kinds = new Set(emitters.map(({ kind }) => `${kind}Emitter` as const));
   return {
-    features: [...(Object.keys(facts) as Feature[]).filter((feature) => facts[feature]), ...kinds],
+    features: [...(Object.keys(facts) as Feature[]).filter((feature) => facts[feature]), ...emitterFeatures(emitters)],
     emitters: emitters.length,
   };
 }

@@ -1,7 +1,22 @@
 /** What scenes need that are gone through path by path. Importing this makes it known. */
-import { emitterRecord, packEmitters } from './emitter-record.ts';
-import { registerPaths } from './parts.ts';
+import { ABSENT_EMITTER, emitterEntries, packChoice, packEmitter } from './emitter-record.ts';
+import { emittersGlsl } from './emitter-shader.ts';
+import { emitterTable } from './emitter-table.ts';
+import { sceneEmitters } from './emitters.ts';
+import { type PathParts, registerPaths } from './parts.ts';
 import { pathFiles } from './path-files.ts';
 import { pathNeeds } from './path-needs.ts';
 
-registerPaths({ files: pathFiles, needs: pathNeeds, emitterRecord, packEmitters });
+const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) => {
+  const emitters = sceneEmitters(scene);
+  const table = emitterTable(emitters);
+  const records = emitters.map((emitter, i) => {
+    const object = 'object' in emitter ? emitter.object : undefined;
+    const record = packEmitter(emitters, table, i, frame);
+    return { object, record: object === undefined ? record : { ...record, object: numbers[object] as number } };
+  });
+  const missing = Array.from({ length: count - records.length }, () => ({ object: undefined, record: ABSENT_EMITTER }));
+  return { emitters: [...records, ...missing], choice: packChoice(emitters) };
+};
+
+registerPaths({ files: pathFiles, needs: pathNeeds, emitterEntries, emittersGlsl, packEmitters });

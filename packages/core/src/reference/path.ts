@@ -19,6 +19,8 @@ const SETS = { direction: 1, light: 2, choice: 3, roulette: 4, perEvent: 4 } as 
 /** How the ray that is under way was found: its pdf per solid angle, or 0 where no light could have been asked for it. */
 interface Scattered {
   readonly from: Vec3;
+  /** The object that it left. */
+  readonly object: number | undefined;
   readonly pdf: number;
 }
 
@@ -28,7 +30,7 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
   let radiance: Vec3 = [0, 0, 0];
   let throughput: Vec3 = [1, 1, 1];
   let media = startMedia(scene);
-  let scattered: Scattered = { from: ray.origin, pdf: 0 };
+  let scattered: Scattered = { from: ray.origin, object: undefined, pdf: 0 };
   let refraction = 1;
   for (let event = 0; ; event++) {
     const hit = nearest(scene, ray);
@@ -38,7 +40,10 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
     }
     throughput = multiply(throughput, transmittance(scene, media, hit.t));
     const vertex = vertexAt(scene, ray, hit);
-    const emission = scale(emittedRadiance(vertex), emissionWeight(scene, vertex, ray, hit.t, scattered));
+    const emission = scale(
+      emittedRadiance(scene, vertex, ray.direction),
+      emissionWeight(scene, vertex, ray, hit.t, scattered),
+    );
     radiance = add(radiance, multiply(throughput, emission));
     if (event === bounces) return [...radiance, 1];
 
@@ -47,7 +52,14 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
     const [which, lobe] = sample2d(sampler, SETS.choice + SETS.perEvent * event);
     if (scene.emitters.length > 0 && !isMirrorOnly(bsdf)) {
       const place = sample2d(sampler, SETS.light + SETS.perEvent * event);
-      const light = lightFrom(scene, vertex, bsdf, wo, media, sampleEmitter(scene, vertex.position, which, place));
+      const light = lightFrom(
+        scene,
+        vertex,
+        bsdf,
+        wo,
+        media,
+        sampleEmitter(scene, vertex.position, which, place, vertex.object),
+      );
       radiance = add(radiance, multiply(throughput, light));
     }
     const onward = bsdfSample(bsdf, wo, sample2d(sampler, SETS.direction + SETS.perEvent * event), lobe);
@@ -62,7 +74,7 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
       if (sample2d(sampler, SETS.roulette + SETS.perEvent * event)[0] >= survival) return [...radiance, 1];
       throughput = scale(throughput, 1 / survival);
     }
-    scattered = { from: vertex.position, pdf: onward.pdf };
+    scattered = { from: vertex.position, object: vertex.object, pdf: onward.pdf };
     ray = { origin: vertex.position, direction: toWorld(vertex.frame, onward.wi), own: vertex.object };
   }
 }
@@ -97,10 +109,16 @@ function lightFrom(
 }
 
 /** The weight of emission that a ray met: how the same might have been found by asking for light. */
-function emissionWeight(scene: PathScene, vertex: Vertex, ray: Ray, t: number, { from, pdf }: Scattered): number {
+function emissionWeight(
+  scene: PathScene,
+  vertex: Vertex,
+  ray: Ray,
+  t: number,
+  { from, object, pdf }: Scattered,
+): number {
   const emitter = scene.emitterOf[vertex.object];
   if (pdf === 0 || emitter === undefined) return 1;
-  return powerHeuristic(pdf, emitterPdf(scene, emitter, from, ray.direction, t, vertex.cosine));
+  return powerHeuristic(pdf, emitterPdf(scene, emitter, from, ray.direction, t, vertex.cosine, object));
 }
 
 /** What comes from infinitely far away: the surroundings, and the suns that the direction points into. */

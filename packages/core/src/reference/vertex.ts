@@ -3,9 +3,11 @@ import { dielectricReflectance, ggxAlpha } from '../material-record.ts';
 import { primitiveOf } from '../parts.ts';
 import type { ResolvedScene } from '../resolve-scene.ts';
 import { dot, scale, type Vec3 } from '../vector.ts';
+import { emitterRadiance } from './light/emitters.ts';
 import type { Bsdf } from './material/bsdf.ts';
 import { indexOf, leave, type Media } from './media.ts';
 import type { Hit } from './nearest.ts';
+import type { PathScene } from './path-scene.ts';
 import type { Ray } from './ray.ts';
 import { type Surface, surfaceAt } from './surface.ts';
 import { type SurfaceFrame, surfaceFrame } from './surface-frame.ts';
@@ -29,11 +31,12 @@ export function vertexAt(scene: ResolvedScene, ray: Ray, hit: Hit): Vertex {
   };
 }
 
-/** Radiance that the surface sends towards the eye by itself. */
-export function emittedRadiance({ material, front }: Vertex): Vec3 {
+/** Radiance that the surface sends along -direction by itself. */
+export function emittedRadiance(scene: PathScene, { object, material, front }: Vertex, direction: Vec3): Vec3 {
   const { emission, emissionIntensity, emissionSide } = material;
-  const shines = emissionSide === 'both' || (emissionSide === 'front') === front;
-  return shines ? scale(emission, emissionIntensity) : [0, 0, 0];
+  if (emissionSide !== 'both' && (emissionSide === 'front') !== front) return [0, 0, 0];
+  const emitter = scene.emitters[scene.emitterOf[object] ?? -1];
+  return emitter ? emitterRadiance(emitter, direction) : scale(emission, emissionIntensity);
 }
 
 /** The material as light meets it here. */
