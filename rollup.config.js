@@ -163,7 +163,7 @@ export default [
     {
       index: 'packages/core/src/index.ts',
       reference: 'packages/core/src/reference/index.ts',
-      parts: 'packages/core/src/more-parts.ts',
+      parts: 'packages/core/src/all-parts.ts',
     },
     schemaFile,
   ),

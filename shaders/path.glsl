@@ -124,7 +124,8 @@ vec4 path() {
 #ifdef SOLID
     float eta = closed ? relativeIndex(m.ior, media, hit.object, front) : m.ior;
     Media beyond = media;
-    if (closed) beyond = front ? enter(media, hit.object, m) : leave(media, hit.object);
+    if (closed && front) beyond = enter(media, hit.object, m);
+    if (closed && !front) beyond = leave(media, hit.object);
 #elif defined(TRANSMISSION)
     float eta = m.ior;
 #else

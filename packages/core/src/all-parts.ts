@@ -1,0 +1,4 @@
+/** `@ray-scene/core/parts`: everything that scenes may need, for those who do not want to wait for `loadParts`. */
+export { moreKinds } from './more-parts.ts';
+
+import './path-parts.ts';
