@@ -51,7 +51,7 @@ export const packLight = (light: LightOf<DirectKind>, frame: Frame) =>
   light.type === 'point' ? lightRecords.point.pack(light, frame) : lightRecords.directional.pack(light);
 
 /** Unit vector from any point to a directional light. */
-export function directionToLight(light: LightOf<'directional'>): Vec3 {
+export function directionToLight(light: Omit<LightOf<'directional'>, 'angularDiameter'>): Vec3 {
   const { direction, position, target = [0, 0, 0] } = light;
   return normalize(direction ? negate(direction) : position ? subtract(position, target) : [0, 1, 0]);
 }
