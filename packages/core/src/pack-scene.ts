@@ -36,9 +36,9 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
   ]);
 }
 
-/** The block `View`. `varyings`: the rays are interpolated, from corners that only the size of the window tells. */
-export const viewLayout = (varyings: boolean): BlockLayout =>
-  layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, () => varyings) }]);
+/** The block `View` of a shader in which these names are defined. */
+export const viewLayout = (defined: ReadonlySet<string>): BlockLayout =>
+  layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, (name) => defined.has(name)) }]);
 
 /** `Sphere` for the kind sphere. */
 export const structName = (kind: string): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}`;
@@ -52,7 +52,7 @@ export function packingFrame({ camera, objects, lights }: ResolvedScene): Frame 
     ...objects.map(({ shape }) => primitiveOf(shape).extent(shape, unscaled)),
     ...lights.map((light) => (light.type === 'point' ? length(toFrame(unscaled, light.position)) : 0)),
   ];
-  const largest = Math.max(...lengths, 0);
+  const largest = Math.max(...lengths);
   return { origin: camera.position, scale: largest > 0 ? 1 / powerOfTwoBelow(largest) : 1 };
 }
 
@@ -78,7 +78,8 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
       if (!indexed) writer.write('materials', number + i, material(index));
     });
     for (let i = ofKind.length; i < required.shapes[kind]; i++) {
-      writer.write(arrayName(kind), i, { ...primitiveOfKind(kind).absent, material: 0 });
+      const { absent } = primitiveOfKind(kind);
+      if (absent) writer.write(arrayName(kind), i, { ...absent, material: 0 });
     }
     number += required.shapes[kind];
   }
@@ -95,7 +96,8 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
 /** The bytes of the block `View`. */
 export function packView(frame: CameraFrame, block: BlockLayout): ArrayBuffer {
   const writer = new BlockWriter(block);
-  writer.write('eye', 0, packEye(frame));
+  // Three vec3 by themselves, or with what is left of them.
+  writer.write('eye', 0, packEye(frame, block.size > 48));
   return writer.bytes;
 }
 

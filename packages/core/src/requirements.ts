@@ -79,6 +79,7 @@ function derivedFeatures({ bounces, shapes, lights, features: given }: SceneNeed
   set('mixedFalloff', has('falloff') && has('noFalloff'));
   set('shadows', several && hasLights && solid);
   set('indexed', indexed);
+  set('exactRays', indexed || has('wideRange'));
   return present;
 }
 

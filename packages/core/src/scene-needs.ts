@@ -30,6 +30,8 @@ export const features = [
   'through',
   'wideRange',
   'indexed',
+  // Camera rays keep the digits that a horizon needs.
+  'exactRays',
   'environment',
   'gradient',
   'backgroundColor',

@@ -31,8 +31,8 @@ export interface Primitive<F extends Fields, M extends readonly Member[]> {
   readonly record: M;
   /** In f64, relative to the camera and scaled by `frame`: rounding to f32 is the last step. `side` is the camera's. */
   pack(shape: Values<F>, frame: Frame, context: PackContext): RecordValues<M>;
-  /** A record that no ray meets: for the place of an object that is gone. */
-  readonly absent: RecordValues<M>;
+  /** A record that no ray meets, for the place of an object that is gone: needed where one of zeros is not that. */
+  readonly absent?: RecordValues<M>;
   /** What the view must hold, or undefined for what has no end. */
   bounds(shape: Values<F>): Bounds | undefined;
   /** A length that says how large it is, for the scale of the packing. */
