@@ -11,6 +11,10 @@ vec3 cameraRay() {
   vec3 d = ray;
 #else
   vec3 d = eye.corner + gl_FragCoord.x * eye.stepX + gl_FragCoord.y * eye.stepY;
+#ifdef EXACT_RAYS
+  // That was exact (see `packEye` in view-record.ts), and this tells the last digits of small components.
+  d += eye.corner2 + gl_FragCoord.x * eye.stepX2 + gl_FragCoord.y * eye.stepY2;
+#endif
 #endif
   return d / sqrt(dot(d, d));
 }

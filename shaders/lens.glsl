@@ -6,7 +6,12 @@
 #endif
 
 vec3 windowPoint() {
-  return eye.corner + gl_FragCoord.x * eye.stepX + gl_FragCoord.y * eye.stepY;
+  vec3 w = eye.corner + gl_FragCoord.x * eye.stepX + gl_FragCoord.y * eye.stepY;
+#ifdef EXACT_RAYS
+  // That was exact (see `packEye` in view-record.ts), and this tells the last digits of small components.
+  w += eye.corner2 + gl_FragCoord.x * eye.stepX2 + gl_FragCoord.y * eye.stepY2;
+#endif
+  return w;
 }
 
 vec3 unitVector(vec3 v) {

@@ -35,7 +35,9 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   // One more row is for the camera ray.
   const rows = !indexed && gapless.size / 16 < varyings ? moreParts().rows.varyingRows(gapless) : undefined;
   const scene = rows ? gapless : sceneLayout(required);
-  const view = viewLayout(required, !!rows);
+  const defined = definedNames(required);
+  if (rows && !defined.has('EXACT_RAYS')) defined.add('VARYINGS');
+  const view = viewLayout(defined);
   const root = required.features.includes('path') ? 'path.frag.glsl' : 'trace.frag.glsl';
   const files = {
     ...glslFiles,
@@ -52,8 +54,6 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
       shapeIncludes(required) +
       (indexed ? moreParts().indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows)),
   };
-  const defined = definedNames(required);
-  if (rows) defined.add('VARYINGS');
   const fragment = assembleGlsl(root, { files, defined, known: KNOWN_NAMES });
   const vertex = assembleGlsl(rows ? 'varyings.vert.glsl' : 'fullscreen.vert.glsl', {
     files,

@@ -37,11 +37,9 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
   ]);
 }
 
-/** The block `View`. `varyings`: the rays are interpolated, from corners that only the size of the window tells. */
-export function viewLayout({ features }: Requirements, varyings: boolean): BlockLayout {
-  const has = (name: string): boolean => (name === 'varyings' ? varyings : features.some((one) => one === name));
-  return layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, has) }]);
-}
+/** The block `View` of a shader in which these names are defined. */
+export const viewLayout = (defined: ReadonlySet<string>): BlockLayout =>
+  layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, (name) => defined.has(name)) }]);
 
 /** `Sphere` for the kind sphere. */
 export const structName = (kind: string): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}`;
@@ -55,7 +53,7 @@ export function packingFrame({ camera, objects, lights }: ResolvedScene): Frame 
     ...objects.map(({ shape }) => primitiveOf(shape).extent(shape, unscaled)),
     ...lights.map((light) => (light.type !== 'directional' ? length(toFrame(unscaled, light.position)) : 0)),
   ];
-  const largest = Math.max(...lengths, 0);
+  const largest = Math.max(...lengths);
   return { origin: camera.position, scale: largest > 0 ? 1 / powerOfTwoBelow(largest) : 1 };
 }
 
@@ -91,7 +89,8 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
       if (!indexed) writer.write('materials', number + i, material(index));
     });
     for (let i = ofKind.length; i < required.shapes[kind]; i++) {
-      writer.write(arrayName(kind), i, { ...primitiveOfKind(kind).absent, material: 0 });
+      const { absent } = primitiveOfKind(kind);
+      if (absent) writer.write(arrayName(kind), i, { ...absent, material: 0 });
     }
     number += required.shapes[kind];
   }
@@ -124,7 +123,9 @@ export function packView(
   sample: SampleNumber = { sample: 0, seed: 0 },
 ): ArrayBuffer {
   const writer = new BlockWriter(block);
-  writer.write('eye', 0, packEye(view, scale, sample));
+  // The first parts of three vectors by themselves, or with what is left of them.
+  const exact = !!block.entries[0]?.struct.members.some(({ name }) => name === 'corner2');
+  writer.write('eye', 0, packEye(view, { scale, exact, ...sample }));
   return writer.bytes;
 }
 

@@ -92,6 +92,7 @@ function pathFeatures({ bounces, shapes, emitters, features: given }: SceneNeeds
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
   set('tiltedPlane', has('tiltedPlane') && shapes.plane > 0);
+  set('exactRays', has('exactRays') && !has('orthographic'));
   return present;
 }
 
@@ -121,6 +122,7 @@ function directFeatures({ bounces, shapes, lights, features: given }: SceneNeeds
   set('mixedFalloff', has('falloff') && has('noFalloff'));
   set('shadows', several && hasLights && solid);
   set('indexed', indexed);
+  set('exactRays', indexed || has('wideRange'));
   return present;
 }
 

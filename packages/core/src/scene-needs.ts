@@ -64,6 +64,8 @@ export const features = [
   'innerEmitter',
   'wideRange',
   'indexed',
+  // Camera rays keep the digits that a horizon needs.
+  'exactRays',
   'environment',
   'gradient',
   'backgroundColor',

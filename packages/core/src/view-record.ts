@@ -1,23 +1,28 @@
 /** What the shader is told of the eye and of what surrounds the scene. */
 import type { CameraFrame } from './camera-frame.ts';
+import { powerOfTwoBelow } from './frame.ts';
 import { sequenceSeed } from './random.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
+import { rounded } from './split-parts.ts';
 import type { RecordValues } from './std140.ts';
-import { add, subtract, scale as times, type Vec3 } from './vector.ts';
+import { add, length, subtract, scale as times, type Vec3 } from './vector.ts';
 
-/** Rays through the window; see `CameraFrame`. Width and height are the window's, in pixels. */
+/** Rays through the window; see `CameraFrame` and `packEye`. Width and height are the window's, in pixels. */
 export const eyeRecord = [
   { name: 'corner', type: 'vec3' },
-  { name: 'width', type: 'float', when: 'varyings' },
+  { name: 'width', type: 'float', when: 'VARYINGS' },
   { name: 'stepX', type: 'vec3' },
-  { name: 'height', type: 'float', when: 'varyings' },
+  { name: 'height', type: 'float', when: 'VARYINGS' },
   { name: 'stepY', type: 'vec3' },
-  { name: 'forward', type: 'vec3', when: 'orthographic' },
-  { name: 'lensX', type: 'vec3', when: 'lens' },
-  { name: 'focus', type: 'float', when: 'lens' },
-  { name: 'lensY', type: 'vec3', when: 'lens' },
-  { name: 'sequence', type: 'uint', when: 'path' },
-  { name: 'index', type: 'uint', when: 'path' },
+  { name: 'corner2', type: 'vec3', when: 'EXACT_RAYS' },
+  { name: 'stepX2', type: 'vec3', when: 'EXACT_RAYS' },
+  { name: 'stepY2', type: 'vec3', when: 'EXACT_RAYS' },
+  { name: 'forward', type: 'vec3', when: 'ORTHOGRAPHIC' },
+  { name: 'lensX', type: 'vec3', when: 'LENS' },
+  { name: 'focus', type: 'float', when: 'LENS' },
+  { name: 'lensY', type: 'vec3', when: 'LENS' },
+  { name: 'sequence', type: 'uint', when: 'PATH' },
+  { name: 'index', type: 'uint', when: 'PATH' },
 ] as const;
 
 /** Which sample is drawn, and of which random numbers. */
@@ -26,23 +31,40 @@ export interface SampleNumber {
   readonly seed: number;
 }
 
-/** `scale`: the scene's in its frame, for what has a length. */
-export function packEye(
-  view: CameraFrame,
-  scale: number,
-  { sample, seed }: SampleNumber,
-): RecordValues<typeof eyeRecord> {
-  const { corner, stepX, stepY, orthographic, lens = [NOWHERE, NOWHERE] } = view;
-  const window = orthographic ? scale : 1;
+interface Packing extends SampleNumber {
+  /** Whether to split vectors. */
+  readonly exact: boolean;
+  /** The scene's in its frame, for what has a length. */
+  readonly scale: number;
+}
+
+type Halves = readonly [high: Vec3, low: Vec3];
+
+/**
+ * In f32, a ray towards the horizon loses the digits of its slope, the small difference of a corner and many steps. With
+ * `exact`, vectors are split: pixel centres are halves and first parts are multiples of 2^-22, so all sums are multiples of
+ * 2^-23; they are below 2, up to which f32 holds those, since the corner is shorter than 1/4, and the window's sides are
+ * not longer than twice the way to it.
+ */
+export function packEye(frame: CameraFrame, { exact, scale, sample, seed }: Packing): RecordValues<typeof eyeRecord> {
+  const { lens = [NOWHERE, NOWHERE] } = frame;
+  // Where rays all start at one point, the length of these vectors does not matter.
+  const unit = frame.orthographic ? scale : 0.125 / powerOfTwoBelow(length(frame.corner));
+  const [corner, stepX, stepY] = [frame.corner, frame.stepX, frame.stepY].map((v) => {
+    const whole = times(v, unit);
+    const high = exact ? rounded(whole, 22) : whole;
+    return [high, subtract(whole, high)];
+  }) as unknown as readonly [Halves, Halves, Halves];
   return {
-    corner: times(corner, window),
-    width: view.width,
-    stepX: times(stepX, window),
-    height: view.height,
-    stepY: times(stepY, window),
-    forward: view.forward,
+    ...frame,
+    corner: corner[0],
+    corner2: corner[1],
+    stepX: stepX[0],
+    stepX2: stepX[1],
+    stepY: stepY[0],
+    stepY2: stepY[1],
     lensX: times(lens[0], scale),
-    focus: view.focus * scale,
+    focus: (frame.focus * scale) / unit,
     lensY: times(lens[1], scale),
     sequence: sequenceSeed(sample, seed),
     index: sample >>> 1,

@@ -1,7 +1,7 @@
 import { toFrame } from '../frame.ts';
 import { dot, length, subtract, type Vec3 } from '../vector.ts';
 import { discTable } from './disc.ts';
-import { cellMembers, lowWord, NO_CELLS, NO_NORMAL, normalMembers, packCells, packNormal } from './flat.ts';
+import { cellMembers, lowWord, normalMembers, packCells, packNormal } from './flat.ts';
 import { planeAxes } from './plane.ts';
 import { definePrimitive } from './primitive.ts';
 
@@ -28,8 +28,6 @@ export const disc = definePrimitive({
       ...packCells(frame, shape.center, tangent, bitangent, checkerSize),
     };
   },
-  // A distance of nothing, which is not above 0.
-  absent: { center: [0, 0, 0], centerLow: [0, 0, 0], ...NO_NORMAL, height: 0, radius2: 0, ...NO_CELLS },
   closed: false,
   bounds(shape) {
     const { normal } = planeAxes(shape);

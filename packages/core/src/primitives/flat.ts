@@ -12,8 +12,6 @@ export const cellMembers = <const K extends string>(kind: K) =>
     { name: 'startV', type: 'float', when: `${kind}Checker` },
   ] as const;
 
-export const NO_CELLS = { cellU: [0, 0, 0], startU: 0, cellV: [0, 0, 0], startV: 0 } as const;
-
 /** The values of `cellMembers`: `u` and `v` times the way from the origin are the lengths U and V. */
 export function packCells(frame: Frame, origin: Vec3, u: Vec3, v: Vec3, checkerSize: number) {
   const cell = checkerSize * frame.scale;
@@ -35,8 +33,6 @@ export const normalMembers = [
   { name: 'normal2', type: 'vec3', when: 'wideRange' },
   { name: 'normal3', type: 'vec3', when: 'wideRange' },
 ] as const;
-
-export const NO_NORMAL = { normal: [0, 0, 0], normal2: [0, 0, 0], normal3: [0, 0, 0] } as const;
 
 /** The values of `normalMembers`. Without the other parts, the first is rounded to f32 as it is. */
 export function packNormal(normal: Vec3, wideRange: boolean) {

@@ -50,22 +50,6 @@ export const plane = definePrimitive({
       startV: withinPair(-dot(bitangent, point) / cell),
     };
   },
-  // No direction leads down.
-  absent: {
-    down: [0, 0, 0],
-    down2: [0, 0, 0],
-    down3: [0, 0, 0],
-    point: [0, 0, 0],
-    pointLow: [0, 0, 0],
-    downY: 0,
-    height: 0,
-    cameraSide: 1,
-    cellU: [0, 0, 0],
-    perCell: 0,
-    startU: 0,
-    cellV: [0, 0, 0],
-    startV: 0,
-  },
   closed: false,
   bounds: () => undefined,
   extent: (shape, frame) => length(toFrame(frame, shape.point)),

@@ -33,8 +33,8 @@ export interface Primitive<F extends Fields, M extends readonly Member[]> {
   pack(shape: Values<F>, frame: Frame, context: PackContext): RecordValues<M>;
   /** Whether it has an inside, where light that passes through it is in another medium. */
   readonly closed: boolean;
-  /** A record that no ray meets: for the place of an object that is gone. */
-  readonly absent: RecordValues<M>;
+  /** A record that no ray meets, for the place of an object that is gone: needed where one of zeros is not that. */
+  readonly absent?: RecordValues<M>;
   /** What the view must hold, or undefined for what has no end. */
   bounds(shape: Values<F>): Bounds | undefined;
   /** A length that says how large it is, for the scale of the packing. */

@@ -1,6 +1,6 @@
 import { toFrame } from '../frame.ts';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../vector.ts';
-import { cellMembers, duals, lowWord, NO_CELLS, NO_NORMAL, normalMembers, packCells, packNormal } from './flat.ts';
+import { cellMembers, duals, lowWord, normalMembers, packCells, packNormal } from './flat.ts';
 import { definePrimitive } from './primitive.ts';
 import { quadTable } from './quad.ts';
 
@@ -35,17 +35,6 @@ export const quad = definePrimitive({
       alongV: scale(cross(corner, edgeU), 1 / area),
       ...packCells(frame, shape.corner, scale(u, length(shape.edgeU)), scale(v, length(shape.edgeV)), checkerSize),
     };
-  },
-  absent: {
-    corner: [0, 0, 0],
-    cornerLow: [0, 0, 0],
-    ...NO_NORMAL,
-    height: 0,
-    edgeU: [0, 0, 0],
-    edgeV: [0, 0, 0],
-    alongU: [0, 0, 0],
-    alongV: [0, 0, 0],
-    ...NO_CELLS,
   },
   closed: false,
   bounds(shape) {

@@ -2,6 +2,7 @@ import { number, vector } from '../fields.ts';
 import { toFrame } from '../frame.ts';
 import { splitParts } from '../split-parts.ts';
 import { length, scale, subtract, type Vec3 } from '../vector.ts';
+import { lowWord } from './flat.ts';
 import { definePrimitive } from './primitive.ts';
 
 export const sphere = definePrimitive({
@@ -37,22 +38,11 @@ export const sphere = definePrimitive({
       // Cells along one radian.
       cells: radius / checkerSize,
       // What f32 leaves of the centre.
-      centerLow: subtract(c, c.map(Math.fround) as unknown as Vec3),
+      centerLow: lowWord(c),
       half1,
       half2,
       half3,
     };
-  },
-  absent: {
-    center: [0, 0, 0],
-    radius2: 0,
-    curvature: 0,
-    power: 0,
-    cells: 0,
-    centerLow: [0, 0, 0],
-    half1: [0, 0, 0],
-    half2: [0, 0, 0],
-    half3: [0, 0, 0],
   },
   closed: true,
   bounds: ({ center, radius }) => ({

@@ -53,23 +53,6 @@ export const torus = definePrimitive({
       cellsV: tube / checkerSize,
     };
   },
-  // In units that make nothing of all distances, a ring and a tube of nothing.
-  absent: {
-    center: [0, 0, 0],
-    unit: 0,
-    axis: [0, 0, 0],
-    radius: 0,
-    tube: 0,
-    squares: 0,
-    power: 0,
-    away: 0,
-    out1: [0, 0, 0],
-    out2: [0, 0, 0],
-    out3: [0, 0, 0],
-    cellsU: 0,
-    tangent: [0, 0, 0],
-    cellsV: 0,
-  },
   closed: true,
   bounds: (shape) => {
     const { normal } = planeAxes({ normal: shape.axis });

@@ -1,6 +1,6 @@
 import { toFrame } from '../frame.ts';
 import { cross, dot, length, normalize, subtract, type Vec3 } from '../vector.ts';
-import { cellMembers, lowWord, NO_CELLS, NO_NORMAL, normalMembers, packCells, packNormal } from './flat.ts';
+import { cellMembers, lowWord, normalMembers, packCells, packNormal } from './flat.ts';
 import { definePrimitive } from './primitive.ts';
 import { triangleTable } from './triangle.ts';
 
@@ -32,17 +32,6 @@ export const triangle = definePrimitive({
       height: dot(normal, a),
       ...packCells(frame, shape.a, u, cross(normal, u), checkerSize),
     };
-  },
-  absent: {
-    a: [0, 0, 0],
-    aLow: [0, 0, 0],
-    b: [0, 0, 0],
-    bLow: [0, 0, 0],
-    c: [0, 0, 0],
-    cLow: [0, 0, 0],
-    ...NO_NORMAL,
-    height: 0,
-    ...NO_CELLS,
   },
   closed: false,
   bounds: ({ a, b, c }) => ({
