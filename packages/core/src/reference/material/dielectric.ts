@@ -19,7 +19,7 @@ export function exactFresnel(cosine: number, eta: number): number {
   if (step === 0) return 0;
   const s = step / (sum * sum);
   const p = (step * (cosine * sum - 1)) / (sum * (eta * eta * cosine + Math.sqrt(behind2)));
-  return (s * s + p * p) / 2;
+  return Math.min((s * s + p * p) / 2, 1);
 }
 
 /** Where wo, which makes the cosine with h, goes behind the surface; both have unit length. There must be such a way. */
