@@ -54,10 +54,10 @@ BsdfSample sampleReflection(Bsdf b, vec3 wo, Facet facet, Split s, float facets)
     return BsdfSample(wi, s.reflected / (facets * s.reflection), 0.0);
 #endif
 #ifdef ROUGH
+  if (!(wi.z > 0.0 && sum(s.reflected) > 0.0)) return BsdfSample(wi, vec3(0.0), 0.0);
   float pdf;
   vec3 value = reflection(b, wo, wi, facet.density, s, facets, pdf);
-  bool isLit = wi.z > 0.0 && sum(s.reflected) > 0.0;
-  return isLit ? BsdfSample(wi, value / pdf, pdf) : BsdfSample(wi, vec3(0.0), 0.0);
+  return BsdfSample(wi, value / pdf, pdf);
 #endif
 }
 #endif
@@ -78,7 +78,7 @@ vec3 throughWall(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
 BsdfSample sampleWall(Bsdf b, vec3 wo, Facet facet, Split s, float probability) {
   vec3 wi = 2.0 * facet.cosine * facet.normal - wo;
   wi.z = -wi.z;
-  vec3 weight = s.transmitted / probability;
+  vec3 weight = s.transmitted / max(probability, SMALLEST);
 #ifdef SMOOTH
 #ifdef ROUGH
   if (b.alpha == 0.0)
@@ -124,7 +124,7 @@ float refractedDensity(float cosine, float eta) {
 
 // `probability` is that of coming here.
 BsdfSample sampleRefraction(Bsdf b, vec3 wo, Facet facet, Split s, float probability) {
-  vec3 weight = s.transmitted / (probability * b.eta * b.eta);
+  vec3 weight = s.transmitted / max(probability * b.eta * b.eta, SMALLEST);
   // With the same on both sides there is nothing that could bend it, nor anything rough.
   if (b.eta == 1.0) return BsdfSample(-wo, weight, 0.0);
   vec3 wi = refracted(wo, facet.normal, facet.cosine, b.eta);

@@ -1,0 +1,94 @@
+// The BSDFs of the shaders against their f64 twins, direction by direction, on the same random numbers.
+import { expect } from '@open-wc/testing';
+import type { Vec3 } from '@ray-scene/core';
+import { type Bsdf, bsdfSample, bsdfValue, isMirrorOnly } from '../../packages/core/src/reference/material/bsdf.ts';
+import { length, normalize, subtract } from '../../packages/core/src/vector.ts';
+import { Program } from '../../packages/ray-scene/src/program.ts';
+import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
+import { definedFor, materials } from '../bsdf/cases.ts';
+import { type Answer, askBsdf, probeSource, type Question } from '../bsdf/probe.ts';
+import { numbers } from '../bsdf/random.ts';
+
+const COUNT = 4096;
+
+const quantile = (values: readonly number[], share: number): number =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))] ?? 0;
+
+describe('BSDFs on the GPU', function () {
+  this.timeout(120_000);
+  let device: RenderDevice;
+  const programs = new Map<string, Program>();
+  before(() => {
+    device = new RenderDevice();
+  });
+  after(() => device.dispose());
+
+  const programFor = (defined: ReadonlySet<string>): Program => {
+    const key = [...defined].join();
+    const program = programs.get(key) ?? new Program(device.gl, probeSource(defined));
+    programs.set(key, program);
+    return program;
+  };
+
+  for (const [name, bsdf] of Object.entries(materials)) {
+    it(`scatters ${name} as in f64`, () => {
+      const questions = questionsOf(bsdf);
+      const answers = askBsdf(device.gl, programFor(definedFor([bsdf])), bsdf, questions);
+      expect(answers.filter((answer) => !isNumbers(answer)).length, 'answers with Infinity or NaN').to.equal(0);
+      for (const [what, errors] of Object.entries(errorsOf(bsdf, questions, answers))) {
+        expect(quantile(errors, 0.5), `${what}, median`).to.be.below(4e-7);
+        // Sines near 0 of angles near the edge of total reflection are known to half the digits of their cosines.
+        expect(quantile(errors, 0.99), `${what}, 99 %`).to.be.below(1e-4);
+      }
+      expect((answers[0] as Answer).isMirrorOnly).to.equal(isMirrorOnly(bsdf));
+    });
+  }
+});
+
+const isNumbers = ({ sample, value }: Answer): boolean =>
+  [...sample.wi, ...sample.weight, sample.pdf, ...value.value, value.pdf].every(Number.isFinite);
+
+/** How far off each answer is: directions by their distance, all else relative to the right value. */
+function errorsOf(bsdf: Bsdf, questions: readonly Question[], answers: readonly Answer[]) {
+  const right = questions.map(({ wo, u, lobe, wi }) => ({
+    sample: bsdfSample(bsdf, wo, u, lobe),
+    value: bsdfValue(bsdf, wo, wi),
+  }));
+  const errors = (of: (found: Pick<Answer, 'sample' | 'value'>, right: Pick<Answer, 'sample' | 'value'>) => number) =>
+    answers.map((answer, i) => of(answer, right[i] as Pick<Answer, 'sample' | 'value'>));
+  return {
+    wi: errors((a, b) => length(subtract(a.sample.wi, b.sample.wi))),
+    weight: errors((a, b) => relative(a.sample.weight, b.sample.weight)),
+    pdf: errors((a, b) => relative([a.sample.pdf], [b.sample.pdf])),
+    value: errors((a, b) => relative(a.value.value, b.value.value)),
+    'pdf of a direction': errors((a, b) => relative([a.value.pdf], [b.value.pdf])),
+  };
+}
+
+function relative(values: readonly number[], right: readonly number[]): number {
+  const size = Math.max(...right.map(Math.abs));
+  const off = Math.max(...values.map((value, i) => Math.abs(value - (right[i] as number))));
+  return off === 0 ? 0 : off / size;
+}
+
+function questionsOf(bsdf: Bsdf): readonly Question[] {
+  const random = numbers(7);
+  return Array.from({ length: COUNT }, (_, i) => {
+    const wo = direction(random, i % 8 === 0);
+    const [u, lobe]: [readonly [number, number], number] = [[random(), random()], random()];
+    const other = bsdfSample(bsdf, wo, [random(), random()], random()).wi;
+    const any = direction(random, false);
+    const wi = i % 2 ? rounded(other) : any.map((x, k) => (k === 2 && i % 4 ? -x : x));
+    return { wo, u, lobe, wi: wi as unknown as Vec3 };
+  });
+}
+
+const rounded = (v: Vec3): Vec3 => v.map(Math.fround) as unknown as Vec3;
+
+/** Evenly over the hemisphere, or (grazing) with all magnitudes of z. */
+function direction(random: () => number, isGrazing: boolean): Vec3 {
+  const z = isGrazing ? 10 ** (-7 * random()) : random();
+  const angle = 2 * Math.PI * random();
+  const r = Math.sqrt(1 - z * z);
+  return rounded(normalize([r * Math.cos(angle), r * Math.sin(angle), z]));
+}
