@@ -4,11 +4,16 @@ import { type BenchBrowser, type BenchPage, startBrowser } from '../bench/browse
 import { findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
 import type { BrdfQuestion } from './brdf-tables.ts';
+import type { GpuPicture } from './images/gpu-picture.ts';
+import { withoutAlpha } from './images/reference-job.ts';
 import type { Answer, Problem } from './problem.ts';
 import type { Ask } from './vectors.ts';
 
 /** So many at a time: no command may take a driver of browsers longer than it waits. */
 const CHUNK = 200;
+const MILLISECONDS = 5000;
+/** In f32, more samples than these may change the last digits of their sum by more than pictures are judged to. */
+const SAMPLES = 256;
 
 /** In the page: what page.ts exports. */
 declare const truth: typeof import('./page.ts');
@@ -41,6 +46,28 @@ export class Gpu {
       const texts = await this.page.execute((asked: readonly BrdfQuestion[]) => truth.reflectance(asked), chunk);
       return texts.map((channels) => channels.map(Number));
     });
+
+  async show(picture: GpuPicture): Promise<void> {
+    await this.page.execute((shown: GpuPicture) => truth.showPicture(shown), picture);
+  }
+
+  /** The mean of so many samples of the picture shown, linear RGB, the top row first. */
+  async samples(seed: number, samples: number): Promise<Float64Array> {
+    const passes = Math.ceil(samples / SAMPLES);
+    let mean: Float64Array = new Float64Array(0);
+    for (let pass = 0; pass < passes; pass++) {
+      const rgb = await this.#pass(seed * 2 ** 16 + pass, samples / passes);
+      mean = pass === 0 ? rgb : mean.map((value, i) => value + ((rgb[i] as number) - value) / (pass + 1));
+    }
+    return mean;
+  }
+
+  async #pass(seed: number, samples: number): Promise<Float64Array> {
+    await this.page.execute((settings) => truth.beginSamples(settings), { seed, samples });
+    while (!(await this.page.execute((time: number) => truth.drawSamples(time), MILLISECONDS)));
+    const bytes = Buffer.from(await this.page.execute(() => truth.readPicture(), undefined), 'base64');
+    return withoutAlpha(new Float32Array(new Uint8Array(bytes).buffer));
+  }
 
   close(): Promise<void> {
     return this.#browser.close();

@@ -5,6 +5,8 @@ import type { BrdfQuestion } from './brdf-tables.ts';
 import { Probe } from './probe.ts';
 import type { Problem } from './problem.ts';
 
+export * from './images/gpu-picture.ts';
+
 let probe: Probe | undefined;
 
 /** t and the normal as text: JSON has no Infinity, nor what is not a number. */

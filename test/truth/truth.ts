@@ -5,6 +5,8 @@ import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
 import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tables.ts';
 import { Gpu } from './gpu-side.ts';
+import type { ImageRow } from './images/judge-image.ts';
+import { measureImages } from './images/measure-images.ts';
 import { isKind } from './reference-side.ts';
 import { printReport, type Truth } from './report.ts';
 import { type BrdfRow, brokenLimits, quantile, type VectorRow, vectorRows, type WatertightRow } from './rows.ts';
@@ -21,6 +23,9 @@ Measures the f64 reference and the GPU path against ground truth that this proje
                   the worse answer counts.
   --only PART     vectors, brdf or images
   --scene NAME    of the images, this one
+  --samples N     of the images: per pixel, at most (default: 65536). Fewer are taken where they are enough for
+                  a mean standard error of at most 3 times that of the truth
+  --pictures DIR  of the images, writes PNG files there: ours, theirs, and the difference in standard errors
   --json FILE     writes all numbers there
 
 Ends with 1 when a limit is broken.`;
@@ -33,6 +38,8 @@ const { values: options } = parseArgs({
     engine: { type: 'string' },
     only: { type: 'string' },
     scene: { type: 'string' },
+    samples: { type: 'string', default: '65536' },
+    pictures: { type: 'string' },
     json: { type: 'string' },
     help: { type: 'boolean', default: false },
   },
@@ -47,6 +54,17 @@ function check(option: string, value: string | undefined, allowed: readonly stri
 const lines = <T>(...path: string[]): readonly T[] => parseLines(readFileSync(join(options.data, ...path), 'utf8'));
 
 const wants = (part: string): boolean => (options.only ?? part) === part && (part === 'images' || !options.scene);
+
+const images = (onCpu: boolean, gpu: Gpu | undefined): Promise<readonly ImageRow[]> =>
+  measureImages({
+    data: join(options.data, 'images'),
+    scene: options.scene,
+    onCpu,
+    gpu,
+    mostSamples: Number(options.samples),
+    pictures: options.pictures,
+    onProgress: (what) => console.error(what),
+  });
 
 interface VectorResult {
   readonly rows: readonly VectorRow[];
@@ -105,6 +123,9 @@ function brdfRow(
   return { side, table, cases: cases.length, p99: quantile(errors, 0.99), max: quantile(errors, 1) };
 }
 
+const brokenByImage = ({ side, scene, broken }: ImageRow): readonly string[] =>
+  broken.map((what) => `${side} ${scene}: ${what}`);
+
 async function measure(): Promise<Truth> {
   const { engine } = options;
   const onCpu = engine === undefined || engine === 'cpu';
@@ -113,15 +134,16 @@ async function measure(): Promise<Truth> {
     const vectors = wants('vectors') ? await measureVectors(onCpu, gpu) : undefined;
     const { rows = [], textbook = [], watertight = [] } = vectors ?? {};
     const brdf = wants('brdf') ? await measureBrdf(onCpu, gpu) : [];
+    const pictures = wants('images') ? await images(onCpu, gpu) : [];
     const noTables = wants('brdf') ? skippedTables.map((table) => `brdf ${table}`) : [];
     return {
       vectors: rows,
       watertight,
       brdf,
-      images: [],
+      images: pictures,
       textbook,
       skipped: [...(vectors?.skipped ?? []), ...noTables],
-      broken: brokenLimits(rows, watertight),
+      broken: [...brokenLimits(rows, watertight), ...pictures.flatMap(brokenByImage)],
     };
   } finally {
     await gpu?.close();

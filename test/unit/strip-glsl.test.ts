@@ -8,8 +8,8 @@ const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter(
 
 /** The words and signs of a line, and its numbers, spelt alike where they are equal. */
 const tokens = (line: string): string[] =>
-  [...line.replace(/\/\/.*/, '').matchAll(/[a-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|\S/gi)].map(([token]) =>
-    /^\.?\d/.test(token) ? String(Number(token)) : token,
+  [...line.replace(/\/\/.*/, '').matchAll(/[a-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?u?|\S/gi)].map(([token]) =>
+    /^\.?\d[^u]*$/.test(token) ? String(Number(token)) : token,
   );
 
 suite('shaders in the one file', () => {

@@ -1,6 +1,8 @@
 /** The part of a shader that tells the kinds of emitters apart: none of it for a scene with but one kind. */
 import { presentEmitters } from './emitter-record.ts';
 import { type EmitterKind, emitterKinds } from './emitters.ts';
+import { ROULETTE_FROM } from './path-needs.ts';
+import type { Requirements } from './requirements.ts';
 import type { Feature } from './scene-needs.ts';
 
 /** Kinds that no ray meets by chance. */
@@ -27,4 +29,11 @@ function forKind(kinds: readonly EmitterKind[], statement: (kind: EmitterKind) =
     return `  ${condition}${statement(kind)}\n`;
   });
   return lines.join('');
+}
+
+/** The file `generated/limits.glsl`. */
+export function limitsGlsl({ bounces, features, emitters }: Requirements): string {
+  const roulette = features.includes('roulette') ? `const int ROULETTE_FROM = ${ROULETTE_FROM};\n` : '';
+  const suns = features.includes('sunEmitter') ? `const int EMITTERS = ${emitters};\n` : '';
+  return `const int BOUNCES = ${bounces};\n${roulette}${suns}`;
 }

@@ -2,9 +2,9 @@
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
 import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
-import { loadedParts, loadedPaths, moreParts, shapeFile, shapeGlsl } from './parts.ts';
+import { loadedParts, moreParts, pathParts, shapeFile, shapeGlsl } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
-import { type Requirements, ROULETTE_FROM } from './requirements.ts';
+import type { Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';
@@ -38,16 +38,17 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
   const defined = definedNames(required);
   if (rows && !defined.has('EXACT_RAYS')) defined.add('VARYINGS');
   const view = viewLayout(defined);
-  const root = required.features.includes('path') ? 'path.frag.glsl' : 'trace.frag.glsl';
+  const paths = required.features.includes('path') ? pathParts() : undefined;
+  const root = paths ? 'path.frag.glsl' : 'trace.frag.glsl';
   const files = {
     ...glslFiles,
     ...loadedParts()?.files,
-    ...loadedPaths()?.files,
+    ...paths?.files,
     ...Object.fromEntries(presentKinds(required).map((kind) => [shapeFile(kind), shapeGlsl(kind)])),
     ...(main === undefined ? {} : { [root]: main }),
-    'generated/limits.glsl': limitsGlsl(required),
+    'generated/limits.glsl': paths?.limitsGlsl(required) ?? `const float BOUNCES = ${required.bounces}.0;\n`,
     'generated/view.glsl': blockGlsl(view),
-    'generated/emitters.glsl': loadedPaths()?.emittersGlsl(required.features) ?? '',
+    'generated/emitters.glsl': paths?.emittersGlsl(required.features) ?? '',
     'generated/rows.glsl': rows?.vertex ?? '',
     'generated/scene.glsl': rows ? structGlsl(scene) + rows.fragment : blockGlsl(scene),
     'generated/objects.glsl':
@@ -61,13 +62,6 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
     known: KNOWN_NAMES,
   });
   return { vertex: vertex.text, fragment: fragment.text, lines: fragment.lines, sceneBlock: scene, viewBlock: view };
-}
-
-function limitsGlsl({ bounces, features: present, emitters }: Requirements): string {
-  if (!present.includes('path')) return `const float BOUNCES = ${bounces}.0;\n`;
-  const roulette = present.includes('roulette') ? `const int ROULETTE_FROM = ${ROULETTE_FROM};\n` : '';
-  const suns = present.includes('sunEmitter') ? `const int EMITTERS = ${emitters};\n` : '';
-  return `const int BOUNCES = ${bounces};\n${roulette}${suns}`;
 }
 
 /** `specularTint` as it is asked for in GLSL: `SPECULAR_TINT`. */

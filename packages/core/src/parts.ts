@@ -12,7 +12,7 @@ import type { Primitive } from './primitives/primitive.ts';
 import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import type { Feature } from './scene-needs.ts';
+import type { Feature, SceneNeeds } from './scene-needs.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 
 /** A primitive of any kind, with the text of its shader file. */
@@ -50,10 +50,14 @@ export interface PathParts {
   readonly files: { readonly [file: string]: string };
   /** What the integrator asks of a scene, beyond what its nodes say by themselves. */
   needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
+  /** What it needs of all that the nodes bring with them. */
+  features(needs: SceneNeeds): ReadonlySet<Feature>;
   /** What the block `Scene` holds of so many emitters. */
   emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[];
   /** The part of a shader that tells kinds of emitters apart. */
   emittersGlsl(features: readonly Feature[]): string;
+  /** Numbers that the text of a shader holds. */
+  limitsGlsl(required: Requirements): string;
   /**
    * All emitters, and as many without light as are missing of `count`. `numbers` are those of the scene's objects in the
    * shader.

@@ -3,8 +3,9 @@ import { emitterFeatures } from './emitter-record.ts';
 import { sceneEmitters } from './emitters.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
+import { hasChecker } from './requirements.ts';
 import { isEmissive, type ResolvedObject, type ResolvedScene } from './resolve-scene.ts';
-import type { Feature } from './scene-needs.ts';
+import type { Feature, SceneNeeds } from './scene-needs.ts';
 import type { Material } from './schema.ts';
 
 export function pathNeeds(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number } {
@@ -36,3 +37,27 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
 /** Whether a material reflects or refracts at its surface, besides what it scatters below. */
 const hasFacets = ({ metalness, specular, transmission }: Material): boolean =>
   metalness > 0 || specular > 0 || transmission > 0;
+
+/** How many events pass before roulette may end a path. */
+export const ROULETTE_FROM = 3;
+
+/** What paths need of all that the nodes bring with them. */
+export function pathFeatures({ bounces, shapes, emitters, features: given }: SceneNeeds): Set<Feature> {
+  const present = new Set(given);
+  const has = (feature: Feature): boolean => present.has(feature);
+  const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
+  set('through', true);
+  set('indexed', true);
+  set('specular', has('specular') && has('dielectric'));
+  for (const detail of ['specularTint', 'specularWeight'] as const) set(detail, has(detail) && has('specular'));
+  set('reflective', has('metal') || has('specular') || has('transmission'));
+  set('shadows', emitters > 0);
+  set('severalEmitters', emitters > 1);
+  set('roulette', bounces > ROULETTE_FROM && !has('whitted'));
+  set('checker', hasChecker(present));
+  set('turnedChecker', has('turnedChecker') && has('planeChecker'));
+  for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
+  set('tiltedPlane', has('tiltedPlane') && shapes.plane > 0);
+  set('exactRays', has('exactRays') && !has('orthographic'));
+  return present;
+}

@@ -1,11 +1,11 @@
 /** What scenes need that are gone through path by path. Importing this makes it known. */
 import { ABSENT_EMITTER, emitterEntries, packChoice, packEmitter } from './emitter-record.ts';
-import { emittersGlsl } from './emitter-shader.ts';
+import { emittersGlsl, limitsGlsl } from './emitter-shader.ts';
 import { emitterTable } from './emitter-table.ts';
 import { sceneEmitters } from './emitters.ts';
 import { type PathParts, registerPaths } from './parts.ts';
 import { pathFiles } from './path-files.ts';
-import { pathNeeds } from './path-needs.ts';
+import { pathFeatures, pathNeeds } from './path-needs.ts';
 
 const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) => {
   const emitters = sceneEmitters(scene);
@@ -19,4 +19,12 @@ const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) =
   return { emitters: [...records, ...missing], choice: packChoice(emitters) };
 };
 
-registerPaths({ files: pathFiles, needs: pathNeeds, emitterEntries, emittersGlsl, packEmitters });
+registerPaths({
+  files: pathFiles,
+  needs: pathNeeds,
+  features: pathFeatures,
+  emitterEntries,
+  emittersGlsl,
+  limitsGlsl,
+  packEmitters,
+});

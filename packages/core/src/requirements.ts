@@ -1,4 +1,5 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
+import { pathParts } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import {
@@ -59,7 +60,7 @@ function derive(needs: SceneNeeds): Requirements {
   const indexed = follows || objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
   const places = <C extends { readonly [kind: string]: number }>(counts: C): C =>
     (indexed ? Object.fromEntries(Object.entries(counts).map(([kind, n]) => [kind, roundedUp(n)])) : counts) as C;
-  const present = follows ? pathFeatures(needs) : directFeatures(needs, indexed);
+  const present = follows ? pathParts().features(needs) : directFeatures(needs, indexed);
   return {
     needs,
     bounces: needs.bounces,
@@ -72,31 +73,9 @@ function derive(needs: SceneNeeds): Requirements {
   };
 }
 
-/** How many events pass before roulette may end a path. */
-export const ROULETTE_FROM = 3;
-
-/** What paths need of all that the nodes bring with them. */
-function pathFeatures({ bounces, shapes, emitters, features: given }: SceneNeeds): Set<Feature> {
-  const present = new Set(given);
-  const has = (feature: Feature): boolean => present.has(feature);
-  const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
-  set('through', true);
-  set('indexed', true);
-  set('specular', has('specular') && has('dielectric'));
-  for (const detail of ['specularTint', 'specularWeight'] as const) set(detail, has(detail) && has('specular'));
-  set('reflective', has('metal') || has('specular') || has('transmission'));
-  set('shadows', emitters > 0);
-  set('severalEmitters', emitters > 1);
-  set('roulette', bounces > ROULETTE_FROM && !has('whitted'));
-  set('checker', hasChecker(present));
-  set('turnedChecker', has('turnedChecker') && has('planeChecker'));
-  for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
-  set('tiltedPlane', has('tiltedPlane') && shapes.plane > 0);
-  set('exactRays', has('exactRays') && !has('orthographic'));
-  return present;
-}
-
-const hasChecker = (present: ReadonlySet<Feature>): boolean => shapeKinds.some((kind) => present.has(`${kind}Checker`));
+/** Whether any of the shapes has a pattern. */
+export const hasChecker = (present: ReadonlySet<Feature>): boolean =>
+  shapeKinds.some((kind) => present.has(`${kind}Checker`));
 
 /** What `direct` needs of it, without what the nodes would have brought for nothing. */
 function directFeatures({ bounces, shapes, lights, features: given }: SceneNeeds, indexed: boolean): Set<Feature> {

@@ -1,6 +1,7 @@
 /** Twin of shaders/path.glsl: the integrator `path`, and what `direct` becomes where light is more than points. */
+
+import { ROULETTE_FROM } from '../path-needs.ts';
 import { type Sampler, sample2d } from '../random.ts';
-import { ROULETTE_FROM } from '../requirements.ts';
 import { add, addScaled, multiply, negate, scale, type Vec3 } from '../vector.ts';
 import { background, type Rgba } from './background.ts';
 import { type EmitterSample, emitterPdf, sampleEmitter } from './light/emitters.ts';

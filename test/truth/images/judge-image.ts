@@ -1,0 +1,166 @@
+/** A picture of ours against another renderer's: the numbers of a row, and the limits that they are held to. */
+import { average, type Estimate, greyOf } from './estimate.ts';
+import type { ImageTruth } from './image-truth.ts';
+
+export type ImageSide = 'reference' | 'gpu';
+
+/** What `--json` tells of a picture; all numbers are null where there is none. */
+export interface ImageRow {
+  readonly scene: string;
+  readonly side: ImageSide;
+  /** Per pixel. */
+  readonly samples: number | null;
+  /** Of the image's mean over pixels and channels, (ours - theirs) / theirs. */
+  readonly bias: number | null;
+  /** Standard error of the bias, from the spread of our batches and of theirs. */
+  readonly biasError: number | null;
+  /** The same of each channel. */
+  readonly biasRgb: readonly number[] | null;
+  /** Root of the mean over pixels of z²; see `zScores`. */
+  readonly rmsZ: number | null;
+  /** What it is on average if both are right: z has Student's distribution, since errors are estimates from n batches. */
+  readonly expectedRmsZ: number | null;
+  /** The same over pixels whose noise is well above the floor of z: on the others rounding is judged, not chance. */
+  readonly rmsZNoisy: number | null;
+  /** Share of those pixels. */
+  readonly noisyFraction: number | null;
+  readonly maxZ: number | null;
+  /** Our mean standard error of a pixel in units of theirs. */
+  readonly errorRatio: number | null;
+  /** Share of pixels that are not finite, which are left out of all numbers. */
+  readonly skippedFraction: number | null;
+  /** In dB, of the sRGB pictures from 0 to 1. */
+  readonly psnr: number | null;
+  /** Why there is no picture. */
+  readonly skipped: string | null;
+  readonly broken: readonly string[];
+}
+
+/** Below this share of its value a pixel's standard error counts as this: f32 says no more of a sum of many samples. */
+const FLOOR = 1e-5;
+/** Of our mean standard error in units of theirs. */
+export const MAX_ERROR_RATIO = 3;
+const MAX_BIAS = 0.003;
+const RMS_Z_RANGE = [0.9, 1.1] as const;
+/** In floors: with less noise than this, z is made small by the floor. */
+const NOISE = 3;
+
+const floored = (error: number, value: number): number => Math.max(error, FLOOR * Math.abs(value));
+
+/** Pixels that can be judged. */
+function finitePixels(ours: Float64Array, theirs: Float64Array): readonly number[] {
+  return [...ours.keys()].filter((i) => Number.isFinite(ours[i]) && Number.isFinite(theirs[i]));
+}
+
+/** (ours - theirs) / the standard error of that, of each pixel's grey mean. Not finite where a picture is not. */
+export function zScores(ours: Estimate, theirs: ImageTruth): Float64Array {
+  const [grey, right] = [greyOf(ours.rgb), greyOf(theirs.rgb)];
+  return grey.map((value, i) => {
+    const truth = right[i] as number;
+    const error = Math.hypot(floored(ours.error[i] as number, value), floored(theirs.error[i] as number, truth));
+    return error > 0 || !Number.isFinite(value) ? (value - truth) / error : 0;
+  });
+}
+
+/** Our mean standard error of a pixel in units of theirs. */
+export function errorRatio(ours: Estimate, theirs: ImageTruth): number {
+  const [grey, right] = [greyOf(ours.rgb), greyOf(theirs.rgb)];
+  const own = average(finitePixels(grey, right).map((i) => floored(ours.error[i] as number, grey[i] as number)));
+  const other = average(right.map((value, i) => floored(theirs.error[i] as number, value)));
+  return own / other;
+}
+
+export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth): ImageRow {
+  const [grey, right] = [greyOf(ours.rgb), greyOf(theirs.rgb)];
+  const pixels = finitePixels(grey, right);
+  const z = zScores(ours, theirs);
+  const noisy = pixels.filter((i) => {
+    const error = Math.hypot(ours.error[i] as number, theirs.error[i] as number);
+    return error > NOISE * FLOOR * Math.abs(right[i] as number);
+  });
+  const rms = (of: readonly number[]): number => Math.sqrt(average(of.map((i) => (z[i] as number) ** 2)));
+  const channel = (c: number): number =>
+    relative(
+      average(pixels.map((i) => ours.rgb[3 * i + c] as number)),
+      average(pixels.map((i) => theirs.rgb[3 * i + c] as number)),
+    );
+  const row = {
+    scene: theirs.scene.name,
+    side,
+    samples: ours.samples,
+    bias: relative(average(pixels.map((i) => grey[i] as number)), average(pixels.map((i) => right[i] as number))),
+    biasError: Math.hypot(ours.meanError, theirs.meanError),
+    biasRgb: [0, 1, 2].map(channel),
+    rmsZ: rms(pixels),
+    expectedRmsZ: Math.sqrt((theirs.batches - 1) / (theirs.batches - 3)),
+    rmsZNoisy: rms(noisy),
+    noisyFraction: noisy.length / grey.length,
+    maxZ: pixels.reduce((most, i) => Math.max(most, Math.abs(z[i] as number)), 0),
+    errorRatio: errorRatio(ours, theirs),
+    skippedFraction: 1 - pixels.length / grey.length,
+    psnr: psnr(ours.rgb, theirs.rgb),
+    skipped: null,
+  };
+  return { ...row, broken: brokenBy(row) };
+}
+
+type Numbers = {
+  readonly [K in
+    | 'bias'
+    | 'biasError'
+    | 'rmsZ'
+    | 'expectedRmsZ'
+    | 'noisyFraction'
+    | 'errorRatio'
+    | 'skippedFraction']: number;
+};
+
+function brokenBy(row: Numbers): readonly string[] {
+  const { bias, biasError, rmsZ, expectedRmsZ, noisyFraction, skippedFraction } = row;
+  // Pixels without noise agree to the last digits: their z is as good as 0.
+  const least = RMS_Z_RANGE[0] * expectedRmsZ * Math.sqrt(noisyFraction);
+  const most = RMS_Z_RANGE[1] * expectedRmsZ;
+  return [
+    !(Math.abs(bias) < MAX_BIAS || Math.abs(bias) < 3 * biasError) &&
+      `bias ${percent(bias)}, below ${percent(MAX_BIAS)} or 3 × ${percent(biasError)}`,
+    !(rmsZ >= least && rmsZ <= most) && `rmsZ ${rmsZ.toFixed(3)}, ${least.toFixed(2)} to ${most.toFixed(2)}`,
+    !(row.errorRatio <= MAX_ERROR_RATIO) &&
+      `standard errors ${row.errorRatio.toPrecision(3)} times theirs, at most ${MAX_ERROR_RATIO}`,
+    skippedFraction > 0 && `${percent(skippedFraction)} of the pixels not finite`,
+  ].filter((what) => what !== false);
+}
+
+/** A picture that there is not. `broken`: there should be one. */
+export const skippedRow = (scene: string, side: ImageSide, why: string, broken = false): ImageRow => ({
+  scene,
+  side,
+  samples: null,
+  bias: null,
+  biasError: null,
+  biasRgb: null,
+  rmsZ: null,
+  expectedRmsZ: null,
+  rmsZNoisy: null,
+  noisyFraction: null,
+  maxZ: null,
+  errorRatio: null,
+  skippedFraction: null,
+  psnr: null,
+  skipped: why,
+  broken: broken ? [why] : [],
+});
+
+const relative = (ours: number, theirs: number): number => (theirs === 0 ? ours : ours / theirs - 1);
+
+export const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
+
+function psnr(ours: ArrayLike<number>, theirs: ArrayLike<number>): number {
+  const squares = Array.from(ours, (value, i) => (encoded(value) - encoded(theirs[i] as number)) ** 2);
+  return -10 * Math.log10(average(squares.filter(Number.isFinite)));
+}
+
+/** sRGB's transfer function (IEC 61966-2-1) on 0 to 1. */
+export function encoded(linear: number): number {
+  const x = Math.min(1, Math.max(0, linear));
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
+}

@@ -1,0 +1,122 @@
+/** All pictures of a folder, rendered by us and judged. */
+import { mkdirSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { parseScene, SceneError } from '@ray-scene/core';
+import type { Gpu } from '../gpu-side.ts';
+import { differencePicture } from './difference-picture.ts';
+import { type Estimate, estimate, type RenderBatch } from './estimate.ts';
+import { type ImageTruth, readImageTruth } from './image-truth.ts';
+import { errorRatio, type ImageRow, type ImageSide, imageRow, MAX_ERROR_RATIO, skippedRow } from './judge-image.ts';
+import type { NeutralScene } from './neutral-scene.ts';
+import { ReferencePool } from './reference-pool.ts';
+import { type TranslatedScene, translateScene } from './translate-scene.ts';
+
+export interface ImageOptions {
+  /** Folder with a folder for each scene. */
+  readonly data: string;
+  /** Only this one. */
+  readonly scene?: string | undefined;
+  readonly onCpu: boolean;
+  readonly gpu: Gpu | undefined;
+  /** Per pixel, at most. */
+  readonly mostSamples: number;
+  /** Folder for pictures of the differences. */
+  readonly pictures?: string | undefined;
+  /** Told what is being done, for whoever waits. */
+  readonly onProgress: (what: string) => void;
+}
+
+type Renderable = Exclude<TranslatedScene, { readonly skipped: string }>;
+
+export async function measureImages(options: ImageOptions): Promise<readonly ImageRow[]> {
+  const names = sceneNames(options);
+  const pool = options.onCpu ? new ReferencePool() : undefined;
+  const rows: ImageRow[] = [];
+  try {
+    for (const name of names) {
+      const truth = await imageTruth(join(options.data, name));
+      const translated = isDirect(truth.scene) ? translateScene(truth.scene) : { skipped: 'no integrator path yet' };
+      if (pool) {
+        rows.push(await measureImage('reference', truth, translated, options, (scene) => onPool(pool, scene, truth)));
+      }
+      const { gpu } = options;
+      if (gpu) rows.push(await measureImage('gpu', truth, translated, options, (scene) => onGpu(gpu, scene, truth)));
+    }
+  } finally {
+    await pool?.close();
+  }
+  return rows;
+}
+
+/** Scenes that Whitted's integrator is as good for as any. */
+const isDirect = ({ materials, objects, environment, integrator, camera }: NeutralScene): boolean =>
+  Object.values(materials).every(({ type }) => type === 'lambert') &&
+  objects.every(({ emission }) => !emission) &&
+  !environment &&
+  integrator.mitsubaMaxDepth === 2 &&
+  camera.type === 'perspective';
+
+function sceneNames({ data, scene }: ImageOptions): readonly string[] {
+  const names = readdirSync(data).filter((name) => statSync(join(data, name)).isDirectory());
+  if (scene !== undefined && !names.includes(scene)) {
+    throw new Error(`--scene takes ${names.join(', ')}, not ${scene}`);
+  }
+  return scene === undefined ? names.sort() : [scene];
+}
+
+const imageTruth = (folder: string): Promise<ImageTruth> =>
+  readImageTruth(async (name) => new Uint8Array(await readFile(join(folder, name))).buffer);
+
+async function measureImage(
+  side: ImageSide,
+  truth: ImageTruth,
+  translated: TranslatedScene,
+  options: ImageOptions,
+  renderer: (scene: Renderable) => Promise<RenderBatch>,
+): Promise<ImageRow> {
+  const { name } = truth.scene;
+  if (translated.skipped !== undefined) return skippedRow(name, side, translated.skipped);
+  try {
+    parseScene(translated.scene);
+    const start = performance.now();
+    const ours = await estimate(await renderer(translated), {
+      excess: (one) => errorRatio(one, truth) / MAX_ERROR_RATIO,
+      mostSamples: options.mostSamples,
+      onRound: (one) => options.onProgress(progress(side, one, truth, performance.now() - start)),
+    });
+    if (options.pictures) savePicture(join(options.pictures, `${name}-${side}.png`), ours, truth);
+    return imageRow(side, ours, truth);
+  } catch (error) {
+    // A scene that our language has no words for should be translated in another way.
+    if (error instanceof SceneError) return skippedRow(name, side, error.message, true);
+    throw error;
+  }
+}
+
+const onPool = async (pool: ReferencePool, { scene, bounces }: Renderable, truth: ImageTruth): Promise<RenderBatch> => {
+  const { width, height } = truth;
+  return (seed, samples) => pool.render({ scene, bounces, width, height, seed, samples });
+};
+
+async function onGpu(gpu: Gpu, { scene, bounces }: Renderable, { width, height }: ImageTruth): Promise<RenderBatch> {
+  await gpu.show({ scene: JSON.stringify(scene), bounces, width, height });
+  // One picture after the other: they are asked for at once.
+  let last: Promise<unknown> = Promise.resolve();
+  return (seed, samples) => {
+    const next = last.then(() => gpu.samples(seed, samples));
+    last = next;
+    return next;
+  };
+}
+
+function progress(side: ImageSide, ours: Estimate, truth: ImageTruth, milliseconds: number): string {
+  const ratio = errorRatio(ours, truth).toPrecision(3);
+  const seconds = (milliseconds / 1000).toFixed(0);
+  return `${truth.scene.name} ${side}: ${ours.samples} samples, errors ${ratio} times theirs, ${seconds} s`;
+}
+
+function savePicture(file: string, ours: Estimate, truth: ImageTruth): void {
+  mkdirSync(join(file, '..'), { recursive: true });
+  writeFileSync(file, differencePicture(ours, truth));
+}

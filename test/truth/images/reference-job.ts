@@ -1,0 +1,25 @@
+/** One picture of the f64 reference. */
+import { parseScene, type RenderSettings } from '@ray-scene/core';
+import { renderReference } from '@ray-scene/core/reference';
+
+export interface ReferenceJob {
+  /** What `parseScene` takes. */
+  readonly scene: object;
+  readonly bounces: number;
+  readonly width: number;
+  readonly height: number;
+  readonly seed: number;
+  readonly samples: number;
+}
+
+/** The one that the pictures are for. */
+export const INTEGRATOR: RenderSettings['integrator'] = 'direct';
+
+/** Linear RGB, the top row first. */
+export function renderJob({ scene, ...settings }: ReferenceJob): Float64Array {
+  const { data } = renderReference(parseScene(scene), { ...settings, integrator: INTEGRATOR });
+  return withoutAlpha(data);
+}
+
+export const withoutAlpha = (rgba: ArrayLike<number>): Float64Array =>
+  Float64Array.from({ length: (rgba.length / 4) * 3 }, (_, i) => rgba[4 * Math.floor(i / 3) + (i % 3)] as number);

@@ -1,0 +1,143 @@
+// Scenes as another renderer describes them, in our words.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { NeutralMaterial, NeutralObject, NeutralScene } from '../truth/images/neutral-scene.ts';
+import { translateScene } from '../truth/images/translate-scene.ts';
+
+const empty: NeutralScene = {
+  name: 'made up',
+  width: 4,
+  height: 3,
+  camera: { type: 'perspective', origin: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], vfovDegrees: 40 },
+  materials: { grey: { type: 'lambert', albedo: [0.5, 0.5, 0.5] } },
+  objects: [],
+  lights: [],
+  environment: null,
+  integrator: { type: 'path', mitsubaMaxDepth: 2 },
+};
+
+const ball: NeutralObject = { shape: 'sphere', center: [0, 0, 0], radius: 1, material: 'grey' };
+const floor: NeutralObject = {
+  shape: 'rectangle',
+  corner: [-4, 0, 4],
+  edgeU: [8, 0, 0],
+  edgeV: [0, 0, -8],
+  material: 'grey',
+};
+
+interface Ours {
+  readonly objects: readonly { readonly [field: string]: unknown }[];
+  readonly [field: string]: unknown;
+}
+
+function ours(changes: Partial<NeutralScene>): Ours {
+  const translated = translateScene({ ...empty, ...changes });
+  assert.ok(translated.skipped === undefined, translated.skipped);
+  return translated.scene as Ours;
+}
+
+const reason = (changes: Partial<NeutralScene>): string | undefined => translateScene({ ...empty, ...changes }).skipped;
+
+const with1 = (material: NeutralMaterial, object: NeutralObject = ball): Partial<NeutralScene> => ({
+  materials: { it: material },
+  objects: [{ ...object, material: 'it' }],
+});
+
+test('depth counts segments there and surfaces here', () => {
+  const bounces = (type: string, mitsubaMaxDepth?: number) => {
+    const translated = translateScene({
+      ...empty,
+      integrator: { type, ...(mitsubaMaxDepth === undefined ? {} : { mitsubaMaxDepth }) },
+    });
+    return translated.skipped ?? translated.bounces;
+  };
+  assert.equal(bounces('path', 1), 0);
+  assert.equal(bounces('path', 16), 15);
+  assert.equal(bounces('direct'), 1);
+  assert.equal(bounces('path', -1), 64);
+  assert.match(String(bounces('volpath', 3)), /volpath/);
+});
+
+test('without surroundings the background is black', () => {
+  assert.deepEqual(ours({}).background, [0, 0, 0]);
+  assert.equal(ours({}).environment, undefined);
+  const sky = ours({ environment: { type: 'constant', radiance: [1, 2, 3] } });
+  assert.deepEqual([sky.background, sky.environment], ['environment', { color: [1, 2, 3] }]);
+});
+
+test('a turned box is a box in a group about its centre', () => {
+  const box: NeutralObject = { shape: 'box', min: [0, 0, 0], max: [2, 4, 6], rotateYDegrees: 18, material: 'grey' };
+  const [group] = ours({ objects: [box] }).objects as readonly [Ours];
+  assert.deepEqual([group.type, group.position, group.rotation], ['group', [1, 2, 3], [0, 18, 0]]);
+  const [inner] = group.objects as readonly [Ours['objects'][number]];
+  assert.deepEqual([inner.type, inner.center, inner.size], ['box', [0, 0, 0], [2, 4, 6]]);
+});
+
+test('a spot that is full up to the beam width fades over the rest', () => {
+  const light = {
+    type: 'spot',
+    position: [0, 4, 0],
+    target: [0, 0, 0],
+    intensity: [5, 6, 7],
+    cutoffDegrees: 24,
+    beamWidthDegrees: 18,
+  } as const;
+  const [spot] = ours({ lights: [light] }).lights as Ours['objects'];
+  assert.deepEqual([spot?.angle, spot?.penumbra, spot?.color], [24, 0.25, [5, 6, 7]]);
+});
+
+test('emission shines to the outside unless the scene says otherwise', () => {
+  const [out, inner] = ours({
+    objects: [
+      { ...ball, emission: [9, 8, 7] },
+      { ...ball, emission: [9, 8, 7], emissionSide: 'inside' },
+    ],
+  }).objects;
+  assert.deepEqual([out?.emission, out?.emissionSide, inner?.emissionSide], [[9, 8, 7], 'front', 'back']);
+});
+
+test('checkers count cells from the corner, along the edges', () => {
+  const checker = { cell: 0.5, color0: [1, 1, 1], color1: [0, 0, 0] } as const;
+  const material: NeutralMaterial = { type: 'lambert', checker };
+  const [quad] = ours(with1(material, floor)).objects;
+  assert.deepEqual([quad?.color, quad?.checker, quad?.checkerSize], [[1, 1, 1], [0, 0, 0], 0.5]);
+  assert.match(String(reason(with1(material, { ...floor, edgeU: [-8, 0, 0] }))), /checker/);
+  assert.match(String(reason(with1(material))), /checker/);
+});
+
+test('a medium is what contains it, or there is a reason not to render the scene', () => {
+  const glass: NeutralMaterial = { type: 'dielectric', iorInside: 1.5, iorOutside: 1 };
+  const air: NeutralMaterial = { type: 'dielectric', iorInside: 1, iorOutside: 1.5 };
+  const shell = {
+    materials: { glass, air },
+    objects: [
+      { ...ball, material: 'glass' },
+      { ...ball, radius: 0.5, material: 'air' },
+    ],
+  };
+  assert.deepEqual(
+    ours(shell).objects.map(({ ior, transmission }) => [ior, transmission]),
+    [
+      [1.5, 1],
+      [1, 1],
+    ],
+  );
+  assert.match(String(reason(with1(air))), /medium/);
+  assert.match(String(reason(with1(glass, floor))), /interface/);
+});
+
+test('what there are no words for is a reason, not an error', () => {
+  const reasons = [
+    { objects: [{ shape: 'mesh', material: 'grey' }] },
+    { objects: [{ ...ball, material: 'missing' }] },
+    { objects: [{ shape: 'sphere', material: 'grey' }] },
+    { objects: [{ shape: 'cylinder', a: [0, 0, 0], b: [0, 1, 0], radius: 1, capped: false, material: 'grey' }] },
+    { lights: [{ type: 'projector' }] },
+    { camera: { ...empty.camera, type: 'fisheye' } },
+    { environment: { type: 'sunsky' } },
+    with1({ type: 'mirror', reflectance: [0.9, 0.9, 0.9] }),
+    with1({ type: 'plastic' }),
+    with1({ type: 'constructor' }),
+  ] satisfies Partial<NeutralScene>[];
+  for (const changes of reasons) assert.ok(reason(changes), JSON.stringify(changes));
+});
