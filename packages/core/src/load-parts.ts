@@ -1,19 +1,32 @@
 import type { ShaderOptions } from './generate-shader.ts';
 import { loadedParts } from './parts.ts';
+import type { Requirements } from './requirements.ts';
+import type { Feature } from './scene-needs.ts';
 import type { Scene } from './schema.ts';
 
-/** Scenes of so many spheres and planes, and of so many lights, one after the other, never make up one of many. */
-const FEW = 4;
+/** What comes with `more-parts.ts`. */
+const MORE_FEATURES: ReadonlySet<Feature> = new Set([
+  'sphereChecker',
+  'tiltedPlane',
+  'inside',
+  'through',
+  'wideRange',
+  'indexed',
+]);
 
 /**
- * Loads what a scene needs beyond a few spheres and planes on a GPU; undefined: it is all there. A scene with other shapes
- * can be resolved, packed and traced only after that.
+ * Loads the shapes of a scene, which can be resolved, packed and traced only after that; undefined: they are all there, as
+ * spheres and planes always are.
  */
-export function loadParts(
-  { objects, lights }: Pick<Scene, 'objects' | 'lights'>,
+export const loadShapes = ({ objects }: Pick<Scene, 'objects'>): Promise<unknown> | undefined =>
+  loadUnless(objects.every(({ type }) => type === 'sphere' || type === 'plane'));
+
+/** Loads what the shader of a scene is made of, before it can be generated; undefined: it is all there. */
+export const loadShaderParts = (
+  { features }: Requirements,
   { varyings = 0 }: ShaderOptions = {},
-): Promise<unknown> | undefined {
-  const isSimple = varyings === 0 && objects.every(({ type }) => type === 'sphere' || type === 'plane');
-  if (loadedParts() || (isSimple && objects.length <= FEW && lights.length <= FEW)) return undefined;
-  return import('./more-parts.ts');
-}
+): Promise<unknown> | undefined =>
+  loadUnless(varyings === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
+
+const loadUnless = (hasAll: boolean): Promise<unknown> | undefined =>
+  hasAll || loadedParts() ? undefined : import('./more-parts.ts');

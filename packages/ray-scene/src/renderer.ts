@@ -1,7 +1,8 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
 import {
   cameraFrame,
-  loadParts,
+  loadShaderParts,
+  loadShapes,
   pixelSample,
   type RenderSettings,
   type Requirements,
@@ -64,6 +65,8 @@ export class Renderer {
   #hasScene = false;
   /** What was asked for last. */
   #next: Scene | undefined;
+  /** The parts of its shader that the scene waits for. */
+  #loading: Promise<unknown> | undefined;
   #tracer: Tracer | undefined;
   #display: Display | undefined;
   #accumulation: Accumulation | undefined;
@@ -96,7 +99,7 @@ export class Renderer {
   /** The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there. */
   setScene(scene: Scene): void {
     this.#next = scene;
-    const loading = loadParts(scene, this.#device.shaderOptions);
+    const loading = loadShapes(scene);
     if (!loading) this.#show(scene);
     loading?.then(
       () => {
@@ -190,7 +193,9 @@ export class Renderer {
   }
 
   #advance(budgetMs: number): boolean {
-    const { tracer, accumulation } = this.#prepare();
+    const prepared = this.#prepare();
+    if (!prepared) return false;
+    const { tracer, accumulation } = prepared;
     const { samples, seed } = this.#view.settings;
     const { camera } = this.#view.resolved;
     const { width, height } = accumulation;
@@ -214,13 +219,27 @@ export class Renderer {
     return accumulation.samples < samples;
   }
 
-  /** Brings what is on the GPU up to the view. */
-  #prepare(): { readonly tracer: Tracer; readonly accumulation: Accumulation } {
+  #drawAfter(loading: Promise<unknown>): void {
+    this.#loading ??= loading
+      .finally(() => {
+        this.#loading = undefined;
+      })
+      .then(this.onrestored, (error: Error) => this.#fail(error));
+  }
+
+  /** Brings what is on the GPU up to the view; undefined: that waits for parts of the shader. */
+  #prepare(): { readonly tracer: Tracer; readonly accumulation: Accumulation } | undefined {
     const { revision, width, height } = this.#view;
     if (this.#tracer && this.#accumulation && this.#drawn === revision) {
       return { tracer: this.#tracer, accumulation: this.#accumulation };
     }
-    const tracer = this.#tracerFor(this.#view.required);
+    const { required } = this.#view;
+    const loading = loadShaderParts(required, this.#device.shaderOptions);
+    if (loading) {
+      this.#drawAfter(loading);
+      return undefined;
+    }
+    const tracer = this.#tracerFor(required);
     tracer.setScene(this.#view.resolved);
     const accumulation = this.#accumulationOf(width, height);
     accumulation.clear();
