@@ -1,5 +1,23 @@
 /** The shader files of the integrator `path`, by their names under `shaders/`, beyond those of `glsl-files.ts`. */
 import circle from '../../../shaders/circle.glsl';
+import emitterArea from '../../../shaders/light/emitter/area.glsl';
+import emitterBox from '../../../shaders/light/emitter/box.glsl';
+import emitterCone from '../../../shaders/light/emitter/cone.glsl';
+import emitterCylinder from '../../../shaders/light/emitter/cylinder.glsl';
+import emitterDirectional from '../../../shaders/light/emitter/directional.glsl';
+import emitterDisc from '../../../shaders/light/emitter/disc.glsl';
+import emitterInside from '../../../shaders/light/emitter/inside.glsl';
+import emitterPlaced from '../../../shaders/light/emitter/placed.glsl';
+import emitterPoint from '../../../shaders/light/emitter/point.glsl';
+import emitterProfile from '../../../shaders/light/emitter/profile.glsl';
+import emitterQuad from '../../../shaders/light/emitter/quad.glsl';
+import emitterRectangle from '../../../shaders/light/emitter/rectangle.glsl';
+import emitterShining from '../../../shaders/light/emitter/shining.glsl';
+import emitterSphere from '../../../shaders/light/emitter/sphere.glsl';
+import emitterSpot from '../../../shaders/light/emitter/spot.glsl';
+import emitterSun from '../../../shaders/light/emitter/sun.glsl';
+import emitterTriangle from '../../../shaders/light/emitter/triangle.glsl';
+import emitters from '../../../shaders/light/emitters.glsl';
 import bsdf from '../../../shaders/material/bsdf.glsl';
 import dielectric from '../../../shaders/material/dielectric.glsl';
 import fresnel from '../../../shaders/material/fresnel.glsl';
@@ -8,6 +26,24 @@ import tangents from '../../../shaders/tangents.glsl';
 
 export const pathFiles: { readonly [file: string]: string } = {
   'circle.glsl': circle,
+  'light/emitter/area.glsl': emitterArea,
+  'light/emitter/box.glsl': emitterBox,
+  'light/emitter/cone.glsl': emitterCone,
+  'light/emitter/cylinder.glsl': emitterCylinder,
+  'light/emitter/directional.glsl': emitterDirectional,
+  'light/emitter/disc.glsl': emitterDisc,
+  'light/emitter/inside.glsl': emitterInside,
+  'light/emitter/placed.glsl': emitterPlaced,
+  'light/emitter/point.glsl': emitterPoint,
+  'light/emitter/profile.glsl': emitterProfile,
+  'light/emitter/quad.glsl': emitterQuad,
+  'light/emitter/rectangle.glsl': emitterRectangle,
+  'light/emitter/shining.glsl': emitterShining,
+  'light/emitter/sphere.glsl': emitterSphere,
+  'light/emitter/spot.glsl': emitterSpot,
+  'light/emitter/sun.glsl': emitterSun,
+  'light/emitter/triangle.glsl': emitterTriangle,
+  'light/emitters.glsl': emitters,
   'material/bsdf.glsl': bsdf,
   'material/dielectric.glsl': dielectric,
   'material/fresnel.glsl': fresnel,

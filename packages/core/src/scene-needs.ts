@@ -28,6 +28,22 @@ export const features = [
   'inside',
   // Rays pass through surfaces: they start on any side of what they meet.
   'through',
+  // What can be asked for light:
+  'pointEmitter',
+  'spotEmitter',
+  'directionalEmitter',
+  'sunEmitter',
+  'sphereEmitter',
+  'quadEmitter',
+  'discEmitter',
+  'triangleEmitter',
+  'boxEmitter',
+  'cylinderEmitter',
+  'severalEmitters',
+  // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
+  'steadyEmitter',
+  'aimedBall',
+  'innerEmitter',
   'wideRange',
   'indexed',
   // Camera rays keep the digits that a horizon needs.

@@ -1,0 +1,20 @@
+// A closed surface around a point, in all directions equally likely.
+#include "circle.glsl"
+
+const float AROUND_PDF = 0.0795774715;
+
+// A unit vector.
+vec3 aroundDirection(vec2 u) {
+  return vec3(2.0 * sqrt(u.x * (1.0 - u.x)) * circle(u.y), 1.0 - 2.0 * u.x);
+}
+
+// The light from the inner side of a surface that is `distance` away; from a point on it, some directions lead outside.
+EmitterSample insideSample(Emitter e, vec3 d, float distance) {
+  if (e.side > 0.0) return NO_LIGHT;
+  vec3 radiance = distance > 0.0 ? e.strength : vec3(0.0);
+  return EmitterSample(d, max(distance, 0.0), radiance, AROUND_PDF, false, e.object);
+}
+
+float insidePdf(Emitter e) {
+  return e.side > 0.0 ? 0.0 : AROUND_PDF;
+}
