@@ -106,6 +106,9 @@ export function packEmitter(emitters: readonly Emitter[], table: AliasTable, ind
   };
 }
 
+/** More than this would be infinite in f32 before long. */
+const LARGEST = 1e30;
+
 /** What sends out no light, for places that no emitter fills. */
 export const ABSENT_EMITTER: Values = {
   strength: [0, 0, 0],
@@ -119,7 +122,7 @@ export const ABSENT_EMITTER: Values = {
   edgeU: [0, 0, 0],
   area: 0,
   edgeV: [0, 0, 0],
-  leastAngle: 1e30,
+  leastAngle: LARGEST,
   aim: [0, 0, 1],
   // What has no profile is the same in all directions.
   outer: 5,
@@ -133,9 +136,6 @@ export const ABSENT_EMITTER: Values = {
 };
 
 const SIDES = { front: 1, back: -1, both: 0 } as const;
-
-/** More than this would be infinite in f32 before long. */
-const LARGEST = 1e30;
 
 function strengthOf(emitter: Emitter, { scale: unit }: Frame): Vec3 {
   switch (emitter.kind) {

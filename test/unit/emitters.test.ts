@@ -1,0 +1,402 @@
+// What the reference says of lights: pdfs that are pdfs, samples that have them, and the light of shapes in closed form.
+import '@ray-scene/core/parts';
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import type { Vec3 } from '@ray-scene/core';
+import { aliasTable, choose, emitterTable } from '../../packages/core/src/emitter-table.ts';
+import { sceneEmitters } from '../../packages/core/src/emitters.ts';
+import { coneDirection } from '../../packages/core/src/reference/light/emitter/cone.ts';
+import { aroundDirection } from '../../packages/core/src/reference/light/emitter/inside.ts';
+import { emitterPdf, type Lighting, sampleEmitter } from '../../packages/core/src/reference/light/emitters.ts';
+import { tracedShape } from '../../packages/core/src/reference/shape/index.ts';
+import { tangents } from '../../packages/core/src/reference/tangents.ts';
+import { addScaled, dot, length, normalize, subtract } from '../../packages/core/src/vector.ts';
+import { average, emittingScene, inside, lightingOf, lights, numbers, outside, shapes } from './emitter-cases.ts';
+
+type Name = keyof typeof shapes;
+const names = Object.keys(shapes) as Name[];
+const alone = Object.fromEntries(names.map((name) => [name, lightingOf(emittingScene([], [shapes[name]]))])) as {
+  readonly [N in Name]: Lighting;
+};
+
+/** The points that a shape is looked at from: all around, in it, and on it. */
+function views(name: Name): readonly { readonly p: Vec3; readonly own?: number }[] {
+  const within = inside[name];
+  const onIt = within ? [{ p: pointOn(name, within, [0.3, -0.5, 0.8]), own: 0 }] : [];
+  return [...outside.map((p) => ({ p })), ...(within ? [{ p: within }] : []), ...onIt];
+}
+
+/** Where a shape is met from a point inside. */
+function pointOn(name: Name, from: Vec3, along: Vec3): Vec3 {
+  const direction = normalize(along);
+  return addScaled(
+    from,
+    direction,
+    tracedShape(shapes[name]).distance(shapes[name], { origin: from, direction }, false),
+  );
+}
+
+/** The pdf of any direction: 0 where it does not meet the shape. */
+function pdfAlong(name: Name, p: Vec3, direction: Vec3, own?: number): number {
+  const shape = shapes[name];
+  const t = tracedShape(shape).distance(shape, { origin: p, direction }, own === 0);
+  if (!(t < Number.POSITIVE_INFINITY)) return 0;
+  const cosine = dot(tracedShape(shape).normal(shape, addScaled(p, direction, t)), direction);
+  return emitterPdf(alone[name], 0, p, direction, t, cosine, own);
+}
+
+/** What `pdfAlong` integrates to over the directions of each bin, found by chance, and the variance of that. */
+function binned(name: Name, p: Vec3, own?: number): readonly { readonly mean: number; readonly variance: number }[] {
+  const { axis, cone } = aim(name, p, own);
+  const next = numbers(23);
+  const sums = Array.from({ length: BINS * BINS }, () => ({ sum: 0, squares: 0 }));
+  for (let i = 0; i < TRIES; i++) {
+    const direction = coneDirection(axis, cone, [next(), next()]);
+    const pdf = pdfAlong(name, p, direction, own) * 2 * Math.PI * cone;
+    const bin = sums[binOf(axis, cone, direction)];
+    if (!bin) continue;
+    bin.sum += pdf;
+    bin.squares += pdf * pdf;
+  }
+  return sums.map(({ sum, squares }) => ({ mean: sum / TRIES, variance: squares / TRIES ** 2 }));
+}
+const TRIES = 40_000;
+
+/** A cone of directions that holds the shape. */
+function aim(name: Name, p: Vec3, own?: number): { readonly axis: Vec3; readonly cone: number } {
+  const lighting = alone[name];
+  if (own !== undefined || p === inside[name]) return { axis: [0, 0, 1], cone: 2 };
+  const next = numbers(5);
+  const directions = Array.from({ length: 2000 }, () => sampleEmitter(lighting, p, 0, [next(), next()])?.direction);
+  const axis = normalize(directions.reduce((sum: Vec3, d) => (d ? addScaled(sum, d, 1) : sum), [0, 0, 0]));
+  const widest = Math.max(...directions.map((d) => (d ? 1 - dot(d, axis) : 0)));
+  return { axis, cone: Math.min(1.1 * widest, 2) };
+}
+
+describe('emitters', () => {
+  for (const name of names) {
+    it(`have densities that integrate to 1: ${name}`, () => {
+      for (const { p, own } of views(name)) {
+        const bins = binned(name, p, own);
+        const total = bins.reduce((sum, { mean }) => sum + mean, 0);
+        const error = Math.sqrt(bins.reduce((sum, { variance }) => sum + variance, 0));
+        // From a point on it, a part of the directions leads outside.
+        const expected = own === undefined ? 1 : share(name, p);
+        assert.ok(
+          error < 0.05 && Math.abs(total - expected) < 4 * error,
+          `${total} ± ${error}, not ${expected} from ${p}`,
+        );
+      }
+    });
+
+    it(`are sampled with those densities: ${name}`, () => {
+      const lighting = alone[name];
+      for (const { p, own } of views(name)) {
+        const next = numbers(7);
+        const n = 40_000;
+        const { axis, cone } = aim(name, p, own);
+        const counts = new Array<number>(BINS * BINS).fill(0);
+        for (let i = 0; i < n; i++) {
+          const sample = sampleEmitter(lighting, p, 0, [next(), next()], own);
+          const bin = sample && sample.distance > 0 ? binOf(axis, cone, sample.direction) : -1;
+          if (bin >= 0) counts[bin] = (counts[bin] as number) + 1;
+        }
+        const judged = binned(name, p, own)
+          .map(({ mean, variance }, i) => ({ mean: n * mean, variance: n * n * variance, count: counts[i] as number }))
+          .filter(({ mean }) => mean > 100);
+        const chi2 = judged.reduce(
+          (sum, { mean, variance, count }) => sum + (count - mean) ** 2 / (mean + variance),
+          0,
+        );
+        assert.ok(judged.length > 3, `${judged.length} bins`);
+        assert.ok(chi2 < judged.length + 5 * Math.sqrt(2 * judged.length), `χ² ${chi2} of ${judged.length} from ${p}`);
+      }
+    });
+
+    it(`say of a sample what they say of its direction: ${name}`, () => {
+      const lighting = alone[name];
+      const shape = shapes[name];
+      const next = numbers(3);
+      for (const { p, own } of views(name)) {
+        for (let i = 0; i < 200; i++) {
+          const sample = sampleEmitter(lighting, p, 0, [next(), next()], own);
+          if (!sample || sample.distance === 0) continue;
+          const { direction, distance, pdf } = sample;
+          assert.ok(Math.abs(length(direction) - 1) < 1e-12);
+          const point = addScaled(p, direction, distance);
+          const cosine = dot(tracedShape(shape).normal(shape, point), direction);
+          const asked = emitterPdf(lighting, 0, p, direction, distance, cosine, own);
+          assert.ok(Math.abs(asked / pdf - 1) < 1e-6, `${asked}, not ${pdf} from ${p}`);
+          // Nothing of the shape itself is in front of the point.
+          const t = tracedShape(shape).distance(shape, { origin: p, direction }, own === 0);
+          if (t < Number.POSITIVE_INFINITY) assert.ok(Math.abs(t / distance - 1) < 1e-6, `${distance}, not ${t}`);
+        }
+      }
+    });
+  }
+});
+
+const BINS = 12;
+
+/** Which of the bins of equal solid angle in a cone. */
+function binOf(axis: Vec3, cone: number, direction: Vec3): number {
+  const [x, y] = tangents(axis);
+  const u = (1 - dot(axis, direction)) / cone;
+  const v = Math.atan2(dot(direction, y), dot(direction, x)) / (2 * Math.PI);
+  const [i, j] = [Math.floor(u * BINS), Math.floor((v < 0 ? v + 1 : v) * BINS)];
+  return i >= 0 && i < BINS ? i * BINS + Math.min(j, BINS - 1) : -1;
+}
+
+/** The part of all directions in which a point on the surface sees that surface. */
+function share(name: Name, p: Vec3): number {
+  const next = numbers(29);
+  let seen = 0;
+  for (let i = 0; i < 100_000; i++) seen += pdfAlong(name, p, aroundDirection([next(), next()]), 0) > 0 ? 1e-5 : 0;
+  return seen;
+}
+
+describe('the light of shapes', () => {
+  const up: Vec3 = [0, 1, 0];
+  const irradiance = (shape: object, p: Vec3, n: Vec3) =>
+    average(
+      lightingOf(emittingScene([], [shape])),
+      p,
+      ({ direction, radiance, pdf }) => (radiance[0] * Math.max(dot(direction, n), 0)) / pdf,
+    );
+
+  const close = ({ mean, error }: { mean: number; error: number }, expected: number): void =>
+    assert.ok(Math.abs(mean - expected) <= 4 * error + 1e-9 * expected, `${mean} ± ${error}, not ${expected}`);
+
+  it('is that of a sphere: π sin² cos', () => {
+    for (const [r, d] of [
+      [1, 3],
+      [1, 1.01],
+      [1e-9, 1e3],
+      [1e9, 1e9 + 1],
+    ] as const) {
+      close(irradiance({ type: 'sphere', center: [0, d, 0], radius: r }, [0, 0, 0], up), Math.PI * (r / d) ** 2);
+    }
+  });
+
+  it('is that of a disc across: π r² / (r² + h²)', () => {
+    for (const [r, h] of [
+      [1, 2],
+      [3, 0.5],
+      [1e-6, 1e3],
+    ] as const) {
+      const disc = { type: 'disc', center: [0, h, 0], normal: [0, -1, 0], radius: r };
+      close(irradiance(disc, [0, 0, 0], up), (Math.PI * r * r) / (r * r + h * h));
+    }
+  });
+
+  it('is that of a rectangle over its corner', () => {
+    for (const [a, b, h] of [
+      [1, 2, 1],
+      [3, 3, 0.2],
+      [0.01, 0.02, 1],
+      [1e-5, 1e-5, 1e4],
+    ] as const) {
+      const quad = { type: 'quad', corner: [0, h, 0], edgeU: [a, 0, 0], edgeV: [0, 0, b] };
+      const [x, y] = [a / h, b / h];
+      const [p, q] = [Math.sqrt(1 + x * x), Math.sqrt(1 + y * y)];
+      close(irradiance(quad, [0, 0, 0], up), ((x / p) * Math.atan(y / p) + (y / q) * Math.atan(x / q)) / 2);
+    }
+  });
+
+  it('is that of all around from inside: π', () => {
+    for (const name of ['sphere', 'box', 'cylinder'] as const) {
+      const p = inside[name] as Vec3;
+      close(irradiance(shapes[name], p, up), Math.PI);
+      // From the surface itself, facing in: as much.
+      const onIt = pointOn(name, p, [0.3, -0.5, 0.8]);
+      const n = tracedShape(shapes[name]).normal(shapes[name], onIt);
+      const lighting = alone[name];
+      const facing = average(
+        lighting,
+        onIt,
+        ({ direction, radiance, pdf }) => (radiance[0] * Math.max(-dot(direction, n), 0)) / pdf,
+        { own: 0 },
+      );
+      close(facing, Math.PI);
+    }
+  });
+
+  it('is that of a box and a cylinder, whatever part of them is seen', () => {
+    // Parts that shine by themselves are the same, added up.
+    const box = { type: 'box', center: [0.5, 3, 0.5], size: [1, 2, 1] };
+    const top = { type: 'quad', corner: [0, 2, 0], edgeU: [1, 0, 0], edgeV: [0, 0, 1] };
+    const wall = { type: 'quad', corner: [1, 2, 0], edgeU: [0, 2, 0], edgeV: [0, 0, 1] };
+    const p: Vec3 = [2, 0, 0.4];
+    const parts = [top, wall].map((quad) => irradiance(quad, p, up));
+    const sum = parts.reduce((total, { mean }) => total + mean, 0);
+    const { mean, error } = irradiance(box, p, up);
+    assert.ok(Math.abs(mean - sum) < 4 * (error + parts.reduce((total, part) => total + part.error, 0)));
+    // A thin disc.
+    const plate = { type: 'cylinder', base: [0, 2, 0], top: [0, 2.00001, 0], radius: 1 };
+    close(irradiance(plate, [0, 0, 0], up), Math.PI / 5);
+  });
+
+  it('shines on the side that it is said to', () => {
+    const quad = { type: 'quad', corner: [0, 1, 0], edgeU: [1, 0, 0], edgeV: [0, 0, 1] };
+    const sums = (['front', 'back', 'both'] as const).map((side) => {
+      const lighting = lightingOf(emittingScene([], [quad], side));
+      return [
+        [0.2, 0, 0.2],
+        [0.2, 2, 0.2],
+      ].map((p) => average(lighting, p as unknown as Vec3, ({ radiance }) => radiance[0]).mean);
+    });
+    // edgeU × edgeV points down.
+    assert.deepEqual(sums, [
+      [1, 0],
+      [0, 1],
+      [1, 1],
+    ]);
+  });
+});
+
+describe('lights', () => {
+  it('of a point fade with the distance squared, or not', () => {
+    const far: Vec3 = [0.5, 2, 99];
+    const [fading, steady] = [lights.point, lights['steady point']].map((light) =>
+      sampleEmitter(lightingOf(emittingScene([light], [])), far, 0, [0, 0]),
+    );
+    assert.equal(fading?.radiance[0], 1e-4);
+    assert.equal(steady?.radiance[0], 1);
+    assert.deepEqual(fading?.direction, [0, 0, -1]);
+    assert.ok(fading?.delta && fading.distance === 100);
+  });
+
+  it('of a spot fall linearly in the angle', () => {
+    const light = { ...lights.spot, position: [0, 0, 0], direction: [0, 0, 1], target: undefined } as const;
+    const { target: _, ...spot } = light;
+    const lighting = lightingOf(emittingScene([spot], []));
+    for (const [degrees, share] of [
+      [0, 1],
+      [19.9, 1],
+      [25, 0.75],
+      [30, 0.5],
+      [39, 0.05],
+      [41, 0],
+      [180, 0],
+    ] as const) {
+      const angle = (degrees * Math.PI) / 180;
+      const sample = sampleEmitter(lighting, [Math.sin(angle), 0, Math.cos(angle)], 0, [0, 0]);
+      assert.ok(Math.abs((sample?.radiance[0] as number) - share) < 1e-12, `${degrees}: ${sample?.radiance}`);
+    }
+  });
+
+  it('of a sun give a surface that faces it what they say', () => {
+    for (const light of [lights['the Sun'], lights['a wide sun']]) {
+      const lighting = lightingOf(emittingScene([light], []));
+      const toLight = normalize(subtract([0, 0, 0], light.direction));
+      const { mean, error } = average(lighting, [0, 0, 0], ({ direction, radiance, pdf }) => {
+        assert.equal(emitterPdf(lighting, 0, [0, 0, 0], direction, Number.POSITIVE_INFINITY, 1), pdf);
+        return (radiance[0] * dot(direction, toLight)) / pdf;
+      });
+      assert.ok(Math.abs(mean - 2) < 4 * error + 1e-9, `${mean} ± ${error}`);
+      assert.equal(emitterPdf(lighting, 0, [0, 0, 0], light.direction, Number.POSITIVE_INFINITY, 1), 0);
+    }
+  });
+
+  it('of a ball aim as their spotlight does', () => {
+    const light = { ...lights.spot, radius: 0.1 };
+    const scene = emittingScene([light], [{ type: 'sphere', center: light.position, radius: 0.1 }]);
+    const lighting = lightingOf({ ...scene, objects: scene.objects.map((object) => ({ ...object, light: 0 })) });
+    assert.equal(lighting.emitters.length, 1);
+    const seen = (p: Vec3) => average(lighting, p, ({ radiance }) => radiance[0]).mean;
+    assert.ok(seen([0, 0, 0.3]) === 1 && seen([0, 5, 0]) === 0);
+  });
+});
+
+describe('choosing an emitter', () => {
+  it('does so as often as its probability says', () => {
+    const next = numbers(11);
+    for (const weights of [[1], [1, 2], [0, 3, 0, 5, 1e-3], [1e300, 1, 0], Array.from({ length: 37 }, () => next())]) {
+      const { probabilities, thresholds, aliases } = aliasTable(weights);
+      const total = weights.reduce((sum, weight) => sum + weight / Math.max(...weights), 0);
+      // Exactly: the share of the thresholds and of what is left above them.
+      const exact = weights.map(
+        (_, i) =>
+          thresholds.reduce((sum, q, j) => sum + (j === i ? q : 0) + (aliases[j] === i ? 1 - q : 0), 0) /
+          weights.length,
+      );
+      weights.forEach((weight, i) => {
+        assert.equal(probabilities[i], Math.fround(exact[i] as number));
+        assert.ok(Math.abs((probabilities[i] as number) - weight / Math.max(...weights) / total) < 1e-6);
+        if (weight === 0) assert.equal(probabilities[i], 0);
+      });
+      const counts = weights.map(() => 0);
+      const n = 2 ** 16;
+      for (let i = 0; i < n; i++) {
+        const chosen = choose({ probabilities, thresholds, aliases }, i / n);
+        counts[chosen] = (counts[chosen] as number) + 1;
+      }
+      assert.ok(counts.every((count, i) => Math.abs(count / n - (probabilities[i] as number)) < 1e-3));
+      assert.ok(weights[choose({ probabilities, thresholds, aliases }, 1 - 2 ** -24)] !== 0);
+    }
+  });
+
+  it('leaves out what has no light, and all of them if none has', () => {
+    const dark = { ...lights.point, intensity: 0 };
+    const lighting = lightingOf(emittingScene([dark, lights.point, dark], []));
+    assert.deepEqual(lighting.table.probabilities, [0, 1, 0]);
+    for (const scene of [emittingScene([dark, dark], []), emittingScene([dark], []), emittingScene([], [])]) {
+      assert.equal(sampleEmitter(lightingOf(scene), [0, 0, 0], 0.3, [0.5, 0.5]), undefined);
+    }
+    assert.deepEqual(emitterTable([]).probabilities, []);
+  });
+
+  it('prefers what lights the scene more, and forgets no light', () => {
+    const { emitters, table } = lightingOf(
+      emittingScene([lights.point, { ...lights.point, position: [0, 1000, 0] }, lights.directional], [shapes.sphere]),
+    );
+    const [near, far, sun, ball] = table.probabilities as [number, number, number, number];
+    assert.ok(near > far && far > 0 && sun > 0 && ball > 0);
+    assert.deepEqual(
+      emitters.map(({ kind }) => kind),
+      ['point', 'point', 'directional', 'sphere'],
+    );
+    assert.deepEqual(sceneEmitters(emittingScene([], [{ type: 'plane', point: [0, 0, 0], normal: [0, 1, 0] }])), []);
+  });
+});
+
+describe('asking where nothing is well defined', () => {
+  it('gives no light or a finite one', () => {
+    const corners = [0, 1, 0.5, 1 - 2 ** -24];
+    for (const name of names) {
+      for (const side of ['front', 'back', 'both'] as const) {
+        const lighting = lightingOf(emittingScene([], [shapes[name]], side));
+        const samples = corners.flatMap((u) =>
+          corners.map((v) => sampleEmitter(lighting, outside[0] as Vec3, 0, [u, v])),
+        );
+        const on = samples.flatMap((one) => (one ? [addScaled(outside[0] as Vec3, one.direction, one.distance)] : []));
+        for (const p of [...on, ...(inside[name] ? [inside[name] as Vec3] : []), middle(name)]) {
+          for (const own of [undefined, 0]) {
+            for (const u of corners) {
+              const sample = sampleEmitter(lighting, p, 0.5, [u, 0.25], own);
+              if (!sample) continue;
+              const all = [...sample.direction, sample.distance, ...sample.radiance, sample.pdf];
+              assert.ok(all.every(Number.isFinite), `${name} from ${p}: ${all}`);
+            }
+          }
+        }
+      }
+    }
+    for (const light of Object.values(lights)) {
+      const lighting = lightingOf(emittingScene([light], []));
+      for (const p of [
+        [0.5, 2, -1],
+        [0.5, -7, -1],
+        [1e300, 0, 0],
+      ] as const) {
+        const sample = sampleEmitter(lighting, p, 0.5, [0.5, 0.5]);
+        assert.ok(!sample || [...sample.direction, ...sample.radiance, sample.pdf].every(Number.isFinite));
+      }
+    }
+  });
+});
+
+function middle(name: Name): Vec3 {
+  const shape = shapes[name] as { readonly [field: string]: unknown };
+  return (shape.center ?? shape.corner ?? shape.a ?? shape.base) as Vec3;
+}
