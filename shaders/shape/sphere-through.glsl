@@ -22,3 +22,13 @@ float sphereOcclusion(Sphere s, SphereFrom from, vec3 d, float limit, float own)
   return limit - sphereDistance(s, from, d, own);
 }
 #endif
+
+// The unit normal on the side that d comes from, times a weight: outwards where the centre is ahead.
+vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
+#ifdef WIDE_RANGE
+  float perRadius = weight * abs(sphereCurvature(s, from));
+#else
+  float perRadius = weight * abs(s.curvature);
+#endif
+  return (dot(from.c, d) > 0.0 ? -perRadius : perRadius) * from.c;
+}

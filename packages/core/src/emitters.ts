@@ -87,9 +87,7 @@ interface SpotLight extends LocalLight {
   readonly penumbra: number;
 }
 
-type DirectionalLight = Parameters<typeof directionToLight>[0] & {
-  readonly angularDiameter?: number;
-};
+type DirectionalLight = Parameters<typeof directionToLight>[0] & { readonly angularDiameter?: number };
 type EmittingLight = (LocalLight & { readonly type: 'point' }) | SpotLight | DirectionalLight;
 
 /** What a scene must tell for its emitters to be known. */

@@ -1,5 +1,4 @@
-/** The shader files by their names under `shaders/`, but for those of the shapes; see `parts.ts`. */
-import arcTangent from '../../../shaders/arc-tangent.glsl';
+/** The shader files that most scenes need, by their names under `shaders/`; for the others see `parts.ts`. */
 import background from '../../../shaders/background.glsl';
 import camera from '../../../shaders/camera.glsl';
 import checker from '../../../shaders/checker.glsl';
@@ -12,12 +11,10 @@ import fullscreenVertex from '../../../shaders/fullscreen.vert.glsl';
 import environment from '../../../shaders/light/environment.glsl';
 import lights from '../../../shaders/light/lights.glsl';
 import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
-import splitDot from '../../../shaders/split-dot.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
 
 export const glslFiles: { readonly [file: string]: string } = {
-  'arc-tangent.glsl': arcTangent,
   'background.glsl': background,
   'camera.glsl': camera,
   'checker.glsl': checker,
@@ -30,7 +27,6 @@ export const glslFiles: { readonly [file: string]: string } = {
   'light/environment.glsl': environment,
   'light/lights.glsl': lights,
   'material/metallic-roughness.glsl': metallicRoughness,
-  'split-dot.glsl': splitDot,
   'surface.glsl': surface,
   'trace.frag.glsl': trace,
 };

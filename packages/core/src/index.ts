@@ -14,7 +14,7 @@ export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
 export { glslFiles } from './glsl-files.ts';
 export { type JsonSchema, sceneJsonSchema } from './json-schema.ts';
-export { loadParts } from './load-parts.ts';
+export { loadPaths, loadShaderParts, loadShapes } from './load-parts.ts';
 export { orbitCamera, panCamera, zoomCamera } from './move-camera.ts';
 export { nearestWord } from './nearest-word.ts';
 export { packingFrame, packScene, packView } from './pack-scene.ts';

@@ -1,51 +1,42 @@
-import { builtInMaterials } from './built-in-materials.ts';
 import type { ShaderOptions } from './generate-shader.ts';
 import { loadedParts, loadedPaths } from './parts.ts';
-import type { Camera, Material, Scene } from './schema.ts';
-import type { RenderSettings } from './settings.ts';
+import type { Requirements } from './requirements.ts';
+import type { ResolvedScene } from './resolve-scene.ts';
+import { type Feature, followsPaths, type Tracing } from './scene-needs.ts';
+import type { Scene } from './schema.ts';
 
-/** Scenes of so many spheres and planes, and of so many lights, one after the other, never make up one of many. */
-const FEW = 4;
-
-type PartialScene = { readonly [K in 'objects' | 'lights']: Scene[K] } & Partial<Pick<Scene, 'materials' | 'camera'>>;
+/** What comes with `more-parts.ts`. */
+const MORE_FEATURES: ReadonlySet<Feature> = new Set([
+  'sphereChecker',
+  'tiltedPlane',
+  'inside',
+  'through',
+  'wideRange',
+  'indexed',
+]);
 
 /**
- * Loads what a scene needs beyond a few spheres and planes on a GPU, lit by points; undefined: it is all there. A scene
- * with other shapes, or one that is gone through path by path, can be resolved, packed and traced only after that.
+ * Loads the shapes of a scene, which can be resolved, packed and traced only after that; undefined: they are all there, as
+ * spheres and planes always are.
  */
-export function loadParts(
-  scene: PartialScene,
+export const loadShapes = ({ objects }: Pick<Scene, 'objects'>): Promise<unknown> | undefined =>
+  loadUnless(objects.every(({ type }) => type === 'sphere' || type === 'plane'));
+
+/** Loads what going through a scene path by path takes, before it is known what that requires; undefined: it is there. */
+export const loadPaths = (
+  scene: ResolvedScene,
+  { integrator }: Pick<Tracing, 'integrator'>,
+): Promise<unknown> | undefined =>
+  loadedPaths() || !followsPaths(scene, integrator)
+    ? undefined
+    : Promise.all([loadUnless(false), import('./path-parts.ts')]);
+
+/** Loads what the shader of a scene is made of, before it can be generated; undefined: it is all there. */
+export const loadShaderParts = (
+  { features }: Requirements,
   { varyings = 0 }: ShaderOptions = {},
-  { integrator }: Partial<Pick<RenderSettings, 'integrator'>> = {},
-): Promise<unknown> | undefined {
-  const { objects, lights } = scene;
-  const paths = integrator === 'path' || mayFollowPaths(scene);
-  const isSimple = varyings === 0 && objects.every(({ type }) => type === 'sphere' || type === 'plane');
-  const more = paths || !isSimple || objects.length > FEW || lights.length > FEW;
-  const wanted = [
-    ...(more && !loadedParts() ? [import('./more-parts.ts')] : []),
-    ...(paths && !loadedPaths() ? [import('./path-parts.ts')] : []),
-  ];
-  return wanted.length > 0 ? Promise.all(wanted) : undefined;
-}
+): Promise<unknown> | undefined =>
+  loadUnless(varyings === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
 
-/** Whether even `direct` may have to go path by path: see `followsPaths`, which knows for sure. */
-function mayFollowPaths({ objects, lights, materials = {}, camera }: PartialScene): boolean {
-  return (
-    isMoreThanPinhole(camera) ||
-    lights.some((light) =>
-      light.type === 'directional' ? light.angularDiameter > 0 : light.type === 'spot' || light.radius > 0,
-    ) ||
-    objects.some((object) => {
-      const named =
-        object.material === undefined ? {} : (materials[object.material] ?? builtInMaterials[object.material] ?? {});
-      return shinesOrTransmits(object) || shinesOrTransmits(named);
-    })
-  );
-}
-
-const isMoreThanPinhole = (camera: Camera | undefined): boolean =>
-  camera?.type === 'orthographic' || (camera?.aperture ?? 0) > 0;
-
-const shinesOrTransmits = ({ emission, transmission }: Partial<Material>): boolean =>
-  !!transmission || !!emission?.some((channel) => channel > 0);
+const loadUnless = (hasAll: boolean): Promise<unknown> | undefined =>
+  hasAll || loadedParts() ? undefined : import('./more-parts.ts');

@@ -1,14 +1,20 @@
 /** What scenes need that hold other shapes than spheres and planes, or many of them. Importing this makes it known. */
+import arcTangent from '../../../shaders/arc-tangent.glsl';
 import boxGlsl from '../../../shaders/shape/box.glsl';
 import coneGlsl from '../../../shaders/shape/cone.glsl';
 import convexGlsl from '../../../shaders/shape/convex.glsl';
 import cylinderGlsl from '../../../shaders/shape/cylinder.glsl';
 import discGlsl from '../../../shaders/shape/disc.glsl';
 import planeThrough from '../../../shaders/shape/plane-through.glsl';
+import planeTilted from '../../../shaders/shape/plane-tilted.glsl';
 import quadGlsl from '../../../shaders/shape/quad.glsl';
+import sphereCells from '../../../shaders/shape/sphere-cells.glsl';
+import sphereInside from '../../../shaders/shape/sphere-inside.glsl';
 import sphereThrough from '../../../shaders/shape/sphere-through.glsl';
+import sphereWide from '../../../shaders/shape/sphere-wide.glsl';
 import torusGlsl from '../../../shaders/shape/torus.glsl';
 import triangleGlsl from '../../../shaders/shape/triangle.glsl';
+import splitDot from '../../../shaders/split-dot.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
 import { indexedObjects } from './indexed-objects.ts';
 import { registerParts } from './parts.ts';
@@ -34,11 +40,16 @@ const shapes = {
 registerParts({
   shapes,
   files: {
-    'varyings.vert.glsl': varyingsVertex,
-
+    'arc-tangent.glsl': arcTangent,
     'shape/convex.glsl': convexGlsl,
     'shape/plane-through.glsl': planeThrough,
+    'shape/plane-tilted.glsl': planeTilted,
+    'shape/sphere-cells.glsl': sphereCells,
+    'shape/sphere-inside.glsl': sphereInside,
     'shape/sphere-through.glsl': sphereThrough,
+    'shape/sphere-wide.glsl': sphereWide,
+    'split-dot.glsl': splitDot,
+    'varyings.vert.glsl': varyingsVertex,
   },
   indexedObjects,
   rows: { varyingRows, structFromRows },

@@ -96,7 +96,7 @@ export const loadedParts = (): MoreParts | undefined => more;
 
 const present = <T>(part: T | undefined): T => {
   if (part) return part;
-  throw new Error('a part of the scene is not loaded: await loadParts(scene) first');
+  throw new Error('a part of the scene is not loaded: await loadShapes(scene), and loadShaderParts(requirements)');
 };
 
 /** @throws {Error} when they have not been loaded. */

@@ -1,7 +1,9 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
 import {
   cameraFrame,
-  loadParts,
+  loadPaths,
+  loadShaderParts,
+  loadShapes,
   pixelSample,
   type RenderSettings,
   type Requirements,
@@ -47,12 +49,6 @@ export interface RenderStats {
   readonly precision: Precision;
 }
 
-/** What a renderer is to draw, and how. */
-interface Asked {
-  readonly scene?: Scene;
-  readonly settings?: RenderSettings;
-}
-
 /** A view of a scene. Everything on the GPU is made when it is first needed, and again after a loss of the context. */
 export class Renderer {
   /** Told of what goes wrong while drawing; by default it becomes an uncaught error of the page. */
@@ -69,7 +65,9 @@ export class Renderer {
   };
   #hasScene = false;
   /** What was asked for last. */
-  #next: Asked = {};
+  #next: Scene | undefined;
+  /** The parts of its shader that the scene waits for. */
+  #loading: Promise<unknown> | undefined;
   #tracer: Tracer | undefined;
   #display: Display | undefined;
   #accumulation: Accumulation | undefined;
@@ -101,13 +99,22 @@ export class Renderer {
 
   /** The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there. */
   setScene(scene: Scene): void {
-    this.#next = { ...this.#next, scene };
-    this.#showNext();
+    this.#next = scene;
+    const loading = loadShapes(scene);
+    if (!loading) this.#show(scene);
+    loading?.then(
+      () => {
+        if (this.#next !== scene) return;
+        this.#show(scene);
+        this.onrestored();
+      },
+      (error: Error) => this.onerror(error),
+    );
   }
 
   setSettings(settings: RenderSettings): void {
-    this.#next = { ...this.#next, settings };
-    this.#showNext();
+    this.#view.settings = settings;
+    this.#presented = false;
   }
 
   /** Replaces the scene's camera, as controls do, until it is set to undefined. */
@@ -171,33 +178,12 @@ export class Renderer {
   /** Frees what it has on the GPU; the canvas keeps its picture. */
   dispose(): void {
     this.#hasScene = false;
-    this.#next = {};
+    this.#next = undefined;
     this.#device.remove(this.#listener);
     this.#release();
   }
 
-  /** Shows what was asked for last, as soon as the page has loaded what that needs. */
-  #showNext(): void {
-    const next = this.#next;
-    const { scene, settings } = next;
-    const loading = scene && loadParts(scene, this.#device.shaderOptions, settings);
-    if (!loading) this.#show(next);
-    loading?.then(
-      () => {
-        if (this.#next !== next) return;
-        this.#show(next);
-        this.onrestored();
-      },
-      (error: Error) => this.onerror(error),
-    );
-  }
-
-  #show({ scene, settings }: Asked): void {
-    if (settings && settings !== this.#view.settings) {
-      this.#view.settings = settings;
-      this.#presented = false;
-    }
-    if (!scene || scene === this.#view.scene) return;
+  #show(scene: Scene): void {
     this.#hasScene = true;
     this.#view.scene = scene;
   }
@@ -208,7 +194,9 @@ export class Renderer {
   }
 
   #advance(budgetMs: number): boolean {
-    const { tracer, accumulation } = this.#prepare();
+    const prepared = this.#prepare();
+    if (!prepared) return false;
+    const { tracer, accumulation } = prepared;
     const { samples, seed } = this.#view.settings;
     const { camera } = this.#view.resolved;
     const { width, height } = accumulation;
@@ -233,11 +221,25 @@ export class Renderer {
     return accumulation.samples < samples;
   }
 
-  /** Brings what is on the GPU up to the view. */
-  #prepare(): { readonly tracer: Tracer; readonly accumulation: Accumulation } {
+  #drawAfter(loading: Promise<unknown>): void {
+    this.#loading ??= loading
+      .finally(() => {
+        this.#loading = undefined;
+      })
+      .then(this.onrestored, (error: Error) => this.#fail(error));
+  }
+
+  /** Brings what is on the GPU up to the view; undefined: that waits for parts of the shader. */
+  #prepare(): { readonly tracer: Tracer; readonly accumulation: Accumulation } | undefined {
     const { revision, width, height } = this.#view;
     if (this.#tracer && this.#accumulation && this.#drawn === revision) {
       return { tracer: this.#tracer, accumulation: this.#accumulation };
+    }
+    const { resolved, settings } = this.#view;
+    const loading = loadPaths(resolved, settings) ?? loadShaderParts(this.#view.required, this.#device.shaderOptions);
+    if (loading) {
+      this.#drawAfter(loading);
+      return undefined;
     }
     const tracer = this.#tracerFor(this.#view.required);
     tracer.setScene(this.#view.resolved);

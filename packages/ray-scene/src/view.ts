@@ -31,10 +31,6 @@ export class View {
     return this.#revision;
   }
 
-  get scene(): Scene {
-    return this.#scene;
-  }
-
   get settings(): RenderSettings {
     return this.#settings;
   }

@@ -49,7 +49,10 @@ EmitterSample cylinderSide(Emitter e, vec3 c, CylinderSeen seen, vec2 u) {
   vec3 toPoint = seen.outwards / seen.away;
   vec3 normal = turned.x * toPoint + (turn < 0.0 ? -turned.y : turned.y) * cross(e.axis, toPoint);
   vec3 way = c + (u.y * e.height) * e.axis + e.radius * normal;
-  return areaSample(e, way, seen.away * turned.x - e.radius, seen.sideArea + seen.capArea, true);
+  // Above the tangent plane: away cos - radius, which cancels near the outline, as away times a difference of cosines.
+  float halfTurn = 0.0795774715 * seen.around;
+  float above = 2.0 * seen.away * circle(halfTurn * (1.0 - abs(turn))).y * circle(halfTurn * (1.0 + abs(turn))).y;
+  return areaSample(e, way, above, seen.sideArea + seen.capArea, true);
 }
 
 #ifdef INNER_EMITTER

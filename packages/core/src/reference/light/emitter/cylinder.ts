@@ -97,7 +97,9 @@ function sideSample(
   const toPoint = scale(out, 1 / away);
   const normal = addScaled(scale(toPoint, cosine), cross(axis, toPoint), turn < 0 ? -sine : sine);
   const foot = addScaled(subtract(cylinder.base, p), subtract(cylinder.top, cylinder.base), u[1]);
-  const above = away * cosine - cylinder.radius;
+  // Above the tangent plane: away cos - radius, which cancels near the outline, as away times a difference of cosines.
+  const above =
+    2 * away * Math.sin((around * (1 - Math.abs(turn))) / 2) * Math.sin((around * (1 + Math.abs(turn))) / 2);
   return areaSample(cylinder, addScaled(foot, normal, cylinder.radius), above, sideArea + capArea, true);
 }
 

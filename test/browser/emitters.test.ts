@@ -1,0 +1,199 @@
+// The light of lights, on the GPU and in the reference: from the same numbers the same direction, radiance and density.
+import '@ray-scene/core/parts';
+import { expect } from '@open-wc/testing';
+import type { Vec3 } from '@ray-scene/core';
+import { emitterFeatures } from '../../packages/core/src/emitter-record.ts';
+import { emitterTable } from '../../packages/core/src/emitter-table.ts';
+import type { EmittingScene } from '../../packages/core/src/emitters.ts';
+import type { Frame } from '../../packages/core/src/frame.ts';
+import { emitterPdf, type Lighting, sampleEmitter } from '../../packages/core/src/reference/light/emitters.ts';
+import { tracedShape } from '../../packages/core/src/reference/shape/index.ts';
+import { addScaled, dot, length, subtract } from '../../packages/core/src/vector.ts';
+import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
+import { EmitterProbe, type LightAnswer, type LightQuestion, roundedPoint } from '../truth/emitter-probe.ts';
+import { emittingScene, inside, lightingOf, lights, numbers, outside, shapes } from '../unit/emitter-cases.ts';
+
+const COUNT = 1500;
+const frame: Frame = { origin: [0.3, -0.2, 0.7], scale: 1 / 4 };
+const FAR = Math.fround(1e18);
+
+type Place = { readonly p: Vec3; readonly own?: number };
+type ProbeOptions = NonNullable<Parameters<EmitterProbe['answer']>[3]>;
+type Sampled = ReturnType<typeof sampleEmitter>;
+
+interface Asked {
+  readonly question: LightQuestion;
+  readonly sample: Sampled;
+  readonly metPdf: number;
+}
+
+/** Questions from points, and what the reference says to the same numbers. */
+function ask(lighting: Lighting, scene: EmittingScene, points: readonly Place[]): readonly Asked[] {
+  const next = numbers(17);
+  return Array.from({ length: COUNT }, (_, i) => {
+    const { p, own } = points[i % points.length] as Place;
+    const { inFrame, inScene } = roundedPoint(frame, p);
+    const [which, u] = [next(), [next(), next()] as const];
+    const sample = sampleEmitter(lighting, inScene, which, u, own);
+    const emitter = lighting.emitters.findIndex((one) => 'object' in one && one.object === sample?.object);
+    const direction = sample?.direction ?? [0, 0, 1];
+    const t = sample?.distance ?? 1;
+    const cosine = sample ? cosineAt(scene, inScene, sample) : 1;
+    const met = Math.max(emitter, 0);
+    return {
+      question: {
+        p: inFrame,
+        which,
+        u,
+        own: own ?? -1,
+        met: { emitter: met, direction, t: Math.min(t * frame.scale, FAR), cosine },
+      },
+      sample,
+      metPdf: emitterPdf(lighting, met, inScene, direction, t, cosine, own),
+    };
+  });
+}
+
+function cosineAt({ objects }: EmittingScene, p: Vec3, { object, direction, distance }: NonNullable<Sampled>): number {
+  const shape = object === undefined ? undefined : objects[object]?.shape;
+  return shape ? dot(tracedShape(shape).normal(shape, addScaled(p, direction, distance)), direction) : 1;
+}
+
+/**
+ * How far answers are from what is right: directions as angles, radiances over the largest, all else relative. On a surface
+ * seen edge on, distance and density change by the change of direction over the cosine, which is no mistake.
+ */
+function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
+  const largest = { direction: 0, distance: 0, radiance: 0, pdf: 0, metPdf: 0 };
+  const note = (name: keyof typeof largest, value: number): void => {
+    largest[name] = Math.max(largest[name], value);
+  };
+  const peak = Math.max(...asked.map(({ sample }) => Math.max(...(sample?.radiance ?? [0]))));
+  asked.forEach(({ question, sample, metPdf }, i) => {
+    const answer = answers[i] as LightAnswer;
+    const cosine = Math.abs(question.met.cosine);
+    expect(answer.pdf > 0).to.equal(!!sample);
+    if (!sample) return;
+    expect([answer.delta, answer.object]).to.deep.equal([sample.delta, sample.object ?? -1]);
+    note('direction', length(subtract(answer.direction, sample.direction)));
+    note('distance', cosine * relative(answer.distance / frame.scale, Math.min(sample.distance, FAR / frame.scale)));
+    note('radiance', length(subtract(answer.radiance, sample.radiance)) / peak);
+    note('pdf', cosine * relative(answer.pdf, sample.pdf));
+    note('metPdf', relative(answer.metPdf, metPdf));
+  });
+  return largest;
+}
+
+const relative = (a: number, b: number): number => (a === b ? 0 : Math.abs(a - b) / Math.max(Math.abs(a), Math.abs(b)));
+
+/** What f32 may leave. */
+const limits = { direction: 1e-6, distance: 2e-6, radiance: 2e-6, pdf: 2e-6, metPdf: 2e-6 };
+
+describe('lights on the GPU', function () {
+  this.timeout(60_000);
+  let device: RenderDevice;
+  let probe: EmitterProbe;
+
+  before(() => {
+    device = new RenderDevice();
+    probe = new EmitterProbe(device);
+  });
+  after(() => device.dispose());
+
+  const check = (scene: EmittingScene, points: readonly Place[], options: ProbeOptions = {}): void => {
+    const lighting = lightingOf(scene);
+    const asked = ask(lighting, scene, points);
+    const answers = probe.answer(
+      lighting,
+      frame,
+      asked.map(({ question }) => question),
+      options,
+    );
+    const found = differences(asked, answers);
+    const broken = Object.entries(found).filter(([name, value]) => !(value <= limits[name as keyof typeof limits]));
+    expect(broken).to.deep.equal([]);
+  };
+
+  const around = outside.map((p) => ({ p }));
+
+  for (const [name, light] of Object.entries(lights)) {
+    it(`are those of the reference: ${name}`, () => check(emittingScene([light], []), around));
+  }
+
+  for (const [name, shape] of Object.entries(shapes)) {
+    const within = inside[name] ? [{ p: inside[name] as Vec3 }] : [];
+    it(`are those of the reference: ${name}`, () => check(emittingScene([], [shape]), [...around, ...within]));
+    it(`shine on one side only: ${name}`, () => {
+      check(emittingScene([], [shape], 'front'), around);
+      check(emittingScene([], [shape], 'back'), [...around, ...within]);
+    });
+  }
+
+  it('are those of the reference: all kinds at once, and places for more', () => {
+    const scene = emittingScene(Object.values(lights), Object.values(shapes));
+    check(scene, around, { capacity: 32 });
+    check(scene, around, { more: ['wideRange'] });
+  });
+
+  it('are chosen by the same numbers where there are few of a kind', () => {
+    check(
+      emittingScene([lights.point, { ...lights.point, intensity: 0.1 }, { ...lights.point, intensity: 0 }], []),
+      around,
+    );
+  });
+
+  it('are balls that aim as a spotlight does', () => {
+    const ball = { type: 'sphere', center: lights.spot.position, radius: 0.3 };
+    const scene = emittingScene([{ ...lights.spot, radius: 0.3 }], [ball, shapes.sphere]);
+    check(
+      { ...scene, objects: scene.objects.map((object, i) => (i === 0 ? { ...object, light: 0 } : object)) },
+      around,
+    );
+  });
+
+  it('are numbers wherever they are asked for', () => {
+    const scene = emittingScene(Object.values(lights), Object.values(shapes));
+    const lighting = lightingOf(scene);
+    const corners = [0, 0.5, 1 - 2 ** -24];
+    const places = [
+      ...Object.values(shapes).map(
+        (shape) => Object.values(shape).find((value) => Array.isArray(value)) as unknown as Vec3,
+      ),
+      ...Object.values(inside),
+      [0.5, 2, -1] as const,
+      [1e12, 1e12, -1e12] as const,
+    ];
+    const questions = places.flatMap((p) =>
+      corners.flatMap((which) =>
+        corners.flatMap((a) =>
+          corners.flatMap((b) =>
+            [-1, 0, 3].map((own): LightQuestion => {
+              const met = { emitter: Math.floor(which * 15), direction: [0, 0, 1] as const, t: a, cosine: b };
+              return { p: roundedPoint(frame, p).inFrame, which, u: [a, b], own, met };
+            }),
+          ),
+        ),
+      ),
+    );
+    const unlit = { emitters: [], table: emitterTable([]) };
+    for (const capacity of [1, 4]) {
+      const present = emitterFeatures(lighting.emitters);
+      for (const answer of probe.answer(unlit, frame, questions, { more: present, capacity })) {
+        expect(allOf(answer).every(Number.isFinite)).to.equal(true);
+        expect(answer.radiance).to.deep.equal([0, 0, 0]);
+      }
+    }
+    for (const answer of probe.answer(lighting, frame, questions, {})) {
+      expect(allOf(answer).every(Number.isFinite), JSON.stringify(answer)).to.equal(true);
+    }
+  });
+});
+
+const allOf = ({ direction, distance, radiance, pdf, metPdf, metRadiance }: LightAnswer): readonly number[] => [
+  ...direction,
+  distance,
+  ...radiance,
+  pdf,
+  metPdf,
+  ...metRadiance,
+];
