@@ -23,7 +23,7 @@ const sources = {
 
 export default {
   rootDir: fileURLToPath(new URL('.', import.meta.url)),
-  files: ['test/browser/**/*.test.ts'],
+  files: ['test/{browser,extremes}/**/*.test.ts'],
   nodeResolve: { exportConditions: ['source'] },
   plugins: [sources],
   browsers: browsers.map((browser) =>

@@ -1,41 +1,10 @@
 // The GPU's pictures against the f64 reference, sample by sample: both shoot the same rays, what differs is rounding.
 
-import { expect } from '@open-wc/testing';
 import { parseScene, type Scene } from '@ray-scene/core';
-import { illConditioned, relativeDifference, renderReference } from '@ray-scene/core/reference';
-import { drawn } from './drawn.ts';
+import { expectAgreement } from './agreement.ts';
 
-const SIZE = 128;
-/** Relative to the brightest channel of the pixel. */
-const LIMIT = 1e-3;
-
-interface Agreement {
-  readonly median: number;
-  /** Shares of the pixels: off by more than the limit, and left out because f64 itself moves them as much. */
-  readonly off: number;
-  readonly excluded: number;
-}
-
-function agreement(scene: Scene, bounces: number, samples: number): Agreement {
-  const settings = { width: SIZE, height: SIZE, samples, bounces };
-  const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
-  const excluded = illConditioned(scene, settings, LIMIT);
-  const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
-  return {
-    median: judged.sort((a, b) => a - b)[judged.length >> 1] ?? 0,
-    off: judged.filter((value) => !(value <= LIMIT)).length / judged.length,
-    excluded: 1 - judged.length / difference.length,
-  };
-}
-
-function agree(what: string, scene: Scene, bounces = 6, samples = 1): void {
-  const { median, off, excluded } = agreement(scene, bounces, samples);
-  const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
-  console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(excluded)}`);
-  expect(median, 'median').to.be.below(1e-5);
-  expect(off, `share of pixels off by more than ${LIMIT}`).to.be.below(1e-3);
-  expect(excluded, 'share of ill-conditioned pixels').to.be.below(0.03);
-}
+const agree = (what: string, scene: Scene, bounces = 6, samples = 1): void =>
+  expectAgreement(what, scene, { width: 128, height: 128, bounces, samples });
 
 async function sceneFile(name: string): Promise<Scene> {
   return parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text());

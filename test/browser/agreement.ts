@@ -1,0 +1,38 @@
+/** How far the GPU's picture of a scene is from the f64 reference, both shot with the same rays. */
+import { expect } from '@open-wc/testing';
+import type { RenderSettings, Scene } from '@ray-scene/core';
+import { illConditioned, relativeDifference, renderReference } from '@ray-scene/core/reference';
+import { drawn } from './drawn.ts';
+
+/** Relative to the brightest channel of the pixel. */
+const LIMIT = 1e-3;
+
+export interface Agreement {
+  readonly median: number;
+  /** Shares of the pixels: off by more than the limit, and left out because f64 itself moves them as much. */
+  readonly off: number;
+  readonly excluded: number;
+}
+
+export type PictureSettings = Partial<RenderSettings> & { readonly width: number; readonly height: number };
+
+export function agreement(scene: Scene, settings: PictureSettings): Agreement {
+  const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
+  const excluded = illConditioned(scene, settings, LIMIT);
+  const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
+  return {
+    median: judged.sort((a, b) => a - b)[judged.length >> 1] ?? 0,
+    off: judged.filter((value) => !(value <= LIMIT)).length / judged.length,
+    excluded: 1 - judged.length / difference.length,
+  };
+}
+
+/** Prints what they differ by, and expects it to be rounding: half of the pixels below 1e-5, and less than 0.1 % off. */
+export function expectAgreement(what: string, scene: Scene, settings: PictureSettings): void {
+  const { median, off, excluded } = agreement(scene, settings);
+  const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
+  console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(excluded)}`);
+  expect(median, 'median').to.be.below(1e-5);
+  expect(off, `share of pixels off by more than ${LIMIT}`).to.be.below(1e-3);
+  expect(excluded, 'share of ill-conditioned pixels').to.be.below(0.03);
+}

@@ -1,0 +1,47 @@
+/** A scene file with all lengths multiplied: by DESIGN the same scene, if the light of its lamps is multiplied with them. */
+type Json = { readonly [key: string]: unknown };
+
+const LENGTHS = new Set([
+  'position',
+  'target',
+  'center',
+  'radius',
+  'tube',
+  'point',
+  'corner',
+  'edgeU',
+  'edgeV',
+  'size',
+  'base',
+  'top',
+  'tip',
+  'a',
+  'b',
+  'c',
+  'checkerSize',
+]);
+
+const times = (value: unknown, factor: number): unknown =>
+  Array.isArray(value) ? value.map((x) => x * factor) : Number(value) * factor;
+
+const scaleNode = (node: Json, factor: number): Json =>
+  Object.fromEntries(
+    Object.entries(node).map(([key, value]) => [key, LENGTHS.has(key) ? times(value, factor) : value]),
+  );
+
+const scaleLight = (light: Json, factor: number): Json => {
+  const scaled = scaleNode(light, factor);
+  const fades = (light.type ?? 'point') === 'point' && light.decay !== 0;
+  return fades ? { ...scaled, intensity: Number(light.intensity ?? 1) * factor * factor } : scaled;
+};
+
+/** Multiplies all lengths of a scene by a factor, and intensities of lights that fade by its square. */
+export function scaleScene(scene: Json, factor: number): Json {
+  const nodes = (key: string): readonly Json[] => (scene[key] as readonly Json[] | undefined) ?? [];
+  return {
+    ...scene,
+    ...(scene.camera ? { camera: scaleNode(scene.camera as Json, factor) } : {}),
+    lights: nodes('lights').map((light) => scaleLight(light, factor)),
+    objects: nodes('objects').map((object) => scaleNode(object, factor)),
+  };
+}
