@@ -21,11 +21,32 @@
 #include "light/emitters.glsl"
 
 // The weight of a direction that was found with pdf a and not with b: as a quotient, so that no square leaves the range.
+// Where all lights are asked at every surface, what they are asked for is not found again.
 float powerHeuristic(float a, float b) {
+#ifdef WHITTED
+  return 0.0;
+#else
   float ratio = min(a, b) / max(a, b);
   float square = ratio * ratio;
   return (a < b ? square : 1.0) / (1.0 + square);
+#endif
 }
+
+// The light of an emitter by way of a surface, where the ray that is to be shaded goes off at `from`.
+vec3 lightBy(EmitterSample light, Parts scene, From from, mat3 frame, Bsdf bsdf, vec3 wo) {
+  float pdf;
+  vec3 value = bsdfValue(bsdf, wo, toLocal(frame, light.direction), pdf);
+  if (!(light.pdf > 0.0 && max(max(value.r, value.g), value.b) > 0.0)) return vec3(0.0);
+  if (occlusion(scene, from, light.direction, light.distance, light.object) > 0.0) return vec3(0.0);
+#ifdef WHITTED
+  return value * light.radiance / light.pdf;
+#else
+  return value * light.radiance * ((light.delta ? 1.0 : powerHeuristic(light.pdf, pdf)) / light.pdf);
+#endif
+}
+#endif
+#ifdef WHITTED
+#include "whitted.glsl"
 #endif
 
 #ifdef SUN_EMITTER
@@ -136,26 +157,23 @@ vec4 path() {
     vec3 wo = toLocal(frame, -d);
     wo.z = cosine;
     uint sets = 4u * uint(event);
+#ifdef WHITTED
+    radiance += throughput * lightOfAll(scene, from, p, n, frame, bsdf, wo, sample2d(random, 2u + sets));
+    BsdfSample onward = mirrorSample(bsdf, wo, sample2d(random, 4u + sets).y);
+#else
     vec2 chance = sample2d(random, 3u + sets);
 #ifdef SHADOWS
     if (!isMirrorOnly(bsdf)) {
       EmitterSample light = sampleEmitter(p, chance.x, sample2d(random, 2u + sets), hit.object);
-      vec3 wi = toLocal(frame, light.direction);
-      float pdf;
-      vec3 value = bsdfValue(bsdf, wo, wi, pdf);
-      if (light.pdf > 0.0 && !isBlack(value)) {
-        vec3 arriving = light.radiance;
 #ifdef ATTENUATION
-        if (wi.z < 0.0) arriving *= transmittance(beyond, light.distance);
-        else arriving *= transmittance(media, light.distance);
+      if (dotInOrder(light.direction, n) < 0.0) light.radiance *= transmittance(beyond, light.distance);
+      else light.radiance *= transmittance(media, light.distance);
 #endif
-        float weight = light.delta ? 1.0 : powerHeuristic(light.pdf, pdf);
-        weight *= step(occlusion(scene, from, light.direction, light.distance, light.object), 0.0);
-        radiance += throughput * value * arriving * (weight / light.pdf);
-      }
+      radiance += throughput * lightBy(light, scene, from, frame, bsdf, wo);
     }
 #endif
     BsdfSample onward = bsdfSample(bsdf, wo, sample2d(random, 1u + sets), chance.y);
+#endif
     throughput *= onward.weight;
     if (isBlack(throughput)) break;
 #ifdef SOLID

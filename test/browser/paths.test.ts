@@ -8,8 +8,8 @@ const SIZE = 64;
 /** Relative to the brightest channel of the pixel. */
 const LIMIT = 1e-3;
 
-function agree(what: string, scene: Scene, bounces = 4, samples = 1): void {
-  const settings = { width: SIZE, height: SIZE, samples, bounces, integrator: 'path' } as const;
+function agree(what: string, scene: Scene, integrator: 'path' | 'direct'): void {
+  const settings = { width: SIZE, height: SIZE, samples: 1, bounces: 4, integrator };
   const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
   const excluded = illConditioned(scene, settings, LIMIT);
   const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
@@ -86,5 +86,18 @@ describe('paths on the GPU against the reference', function () {
     'an orthographic view': { camera: { ...camera, type: 'orthographic' }, environment: sky, objects: [ball, floor] },
   };
 
-  for (const [what, scene] of Object.entries(scenes)) it(`draws ${what} alike`, () => agree(what, parseScene(scene)));
+  for (const [what, scene] of Object.entries(scenes)) {
+    it(`draws ${what} alike`, () => agree(what, parseScene(scene), 'path'));
+  }
+
+  const whitted = [
+    'a soft lamp, a spotlight and a sun',
+    'a glass ball',
+    'frosted, coloured and nested glass',
+    'everything that can shine',
+  ];
+  for (const what of whitted) {
+    it(`draws ${what} alike by the integrator direct`, () =>
+      agree(`direct: ${what}`, parseScene(scenes[what]), 'direct'));
+  }
 });

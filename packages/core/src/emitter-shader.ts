@@ -34,6 +34,7 @@ function forKind(kinds: readonly EmitterKind[], statement: (kind: EmitterKind) =
 /** The file `generated/limits.glsl`. */
 export function limitsGlsl({ bounces, features, emitters }: Requirements): string {
   const roulette = features.includes('roulette') ? `const int ROULETTE_FROM = ${ROULETTE_FROM};\n` : '';
-  const suns = features.includes('sunEmitter') ? `const int EMITTERS = ${emitters};\n` : '';
-  return `const int BOUNCES = ${bounces};\n${roulette}${suns}`;
+  const isListed = features.includes('sunEmitter') || features.includes('whitted');
+  const list = isListed ? `const int EMITTERS = ${emitters};\n` : '';
+  return `const int BOUNCES = ${bounces};\n${roulette}${list}`;
 }

@@ -30,6 +30,7 @@ import sampler from '../../../shaders/sampler.glsl';
 import surfaceFrame from '../../../shaders/surface-frame.glsl';
 import tangents from '../../../shaders/tangents.glsl';
 import vertex from '../../../shaders/vertex.glsl';
+import whitted from '../../../shaders/whitted.glsl';
 
 export const pathFiles: { readonly [file: string]: string } = {
   'circle.glsl': circle,
@@ -63,4 +64,5 @@ export const pathFiles: { readonly [file: string]: string } = {
   'surface-frame.glsl': surfaceFrame,
   'tangents.glsl': tangents,
   'vertex.glsl': vertex,
+  'whitted.glsl': whitted,
 };

@@ -52,7 +52,8 @@ export function pathFeatures({ bounces, shapes, emitters, features: given }: Sce
   for (const detail of ['specularTint', 'specularWeight'] as const) set(detail, has(detail) && has('specular'));
   set('reflective', has('metal') || has('specular') || has('transmission'));
   set('shadows', emitters > 0);
-  set('severalEmitters', emitters > 1);
+  set('severalEmitters', emitters > 1 && !has('whitted'));
+  if (has('whitted')) set('smooth', has('reflective'));
   set('roulette', bounces > ROULETTE_FROM && !has('whitted'));
   set('checker', hasChecker(present));
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));

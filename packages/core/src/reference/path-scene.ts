@@ -5,17 +5,19 @@ import { type Emitter, sceneEmitters } from '../emitters.ts';
 import type { ResolvedScene } from '../resolve-scene.ts';
 
 export interface PathScene extends ResolvedScene {
+  /** Whether it is for the integrator `direct`. */
+  readonly whitted: boolean;
   readonly emitters: readonly Emitter[];
   readonly table: AliasTable;
   /** By number of the object: its place among the emitters, if it is one. */
   readonly emitterOf: readonly (number | undefined)[];
 }
 
-export function preparePaths(scene: ResolvedScene): PathScene {
+export function preparePaths(scene: ResolvedScene, integrator: 'path' | 'direct'): PathScene {
   const emitters = sceneEmitters(scene);
   const emitterOf: (number | undefined)[] = [];
   emitters.forEach((emitter, i) => {
     if ('object' in emitter) emitterOf[emitter.object] = i;
   });
-  return { ...scene, emitters, table: emitterTable(emitters), emitterOf };
+  return { ...scene, whitted: integrator === 'direct', emitters, table: emitterTable(emitters), emitterOf };
 }

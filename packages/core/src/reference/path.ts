@@ -2,17 +2,19 @@
 
 import { ROULETTE_FROM } from '../path-needs.ts';
 import { type Sampler, sample2d } from '../random.ts';
-import { add, addScaled, multiply, negate, scale, type Vec3 } from '../vector.ts';
+import { add, addScaled, dot, multiply, negate, scale, type Vec3 } from '../vector.ts';
 import { background, type Rgba } from './background.ts';
 import { type EmitterSample, emitterPdf, sampleEmitter } from './light/emitters.ts';
 import { environmentRadiance } from './light/environment.ts';
-import { type Bsdf, bsdfSample, bsdfValue, isMirrorOnly } from './material/bsdf.ts';
+import { lightBy, powerHeuristic } from './light-by.ts';
+import { type Bsdf, type BsdfSample, bsdfSample, isMirrorOnly } from './material/bsdf.ts';
 import { enter, leave, type Media, startMedia, transmittance } from './media.ts';
-import { nearest, occluded } from './nearest.ts';
+import { nearest } from './nearest.ts';
 import type { PathScene } from './path-scene.ts';
 import type { Ray } from './ray.ts';
 import { toLocal, toWorld } from './surface-frame.ts';
 import { bsdfAt, emittedRadiance, type Vertex, vertexAt } from './vertex.ts';
+import { lightOfAll, mirrorSample } from './whitted.ts';
 
 /** What is asked of random numbers at each scattering event, as in docs/light-transport.md. */
 const SETS = { direction: 1, light: 2, choice: 3, roulette: 4, perEvent: 4 } as const;
@@ -50,27 +52,23 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
 
     const bsdf = bsdfAt(scene, vertex, media);
     const wo = toLocal(vertex.frame, negate(ray.direction));
-    const [which, lobe] = sample2d(sampler, SETS.choice + SETS.perEvent * event);
-    if (scene.emitters.length > 0 && !isMirrorOnly(bsdf)) {
+    if (scene.whitted) {
       const place = sample2d(sampler, SETS.light + SETS.perEvent * event);
-      const light = lightFrom(
-        scene,
-        vertex,
-        bsdf,
-        wo,
-        media,
-        sampleEmitter(scene, vertex.position, which, place, vertex.object),
-      );
-      radiance = add(radiance, multiply(throughput, light));
+      radiance = add(radiance, multiply(throughput, lightOfAll(scene, vertex, bsdf, wo, place)));
+    } else if (scene.emitters.length > 0 && !isMirrorOnly(bsdf)) {
+      const light = attenuated(scene, vertex, media, lightAsked(scene, vertex, sampler, event));
+      radiance = add(radiance, multiply(throughput, lightBy(scene, vertex, bsdf, wo, light)));
     }
-    const onward = bsdfSample(bsdf, wo, sample2d(sampler, SETS.direction + SETS.perEvent * event), lobe);
+    const onward = scene.whitted
+      ? mirrorSample(bsdf, wo, sample2d(sampler, SETS.roulette + SETS.perEvent * event)[1])
+      : scatter(bsdf, wo, sampler, event);
     throughput = multiply(throughput, onward.weight);
     if (!throughput.some((channel) => channel > 0)) return [...radiance, 1];
     if (onward.wi[2] < 0 && vertex.closed) {
       media = vertex.front ? enter(media, vertex.object) : leave(media, vertex.object);
       refraction *= bsdf.eta * bsdf.eta;
     }
-    if (event >= ROULETTE_FROM) {
+    if (event >= ROULETTE_FROM && !scene.whitted) {
       const survival = Math.min(1, Math.max(...throughput) * refraction);
       if (sample2d(sampler, SETS.roulette + SETS.perEvent * event)[0] >= survival) return [...radiance, 1];
       throughput = scale(throughput, 1 / survival);
@@ -80,33 +78,28 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
   }
 }
 
-/** Veach's power heuristic with exponent 2: the weight of a direction that was found with pdf `a` and not with `b`. */
-export function powerHeuristic(a: number, b: number): number {
-  // As a quotient, so that nothing is squared that would leave the range.
-  if (a >= b) return a > 0 ? 1 / (1 + (b / a) ** 2) : 0;
-  const ratio = a / b;
-  return (ratio * ratio) / (1 + ratio * ratio);
+/** One light, chosen at random, that is asked at an event. */
+function lightAsked(scene: PathScene, { position, object }: Vertex, sampler: Sampler, event: number) {
+  const [which] = sample2d(sampler, SETS.choice + SETS.perEvent * event);
+  return sampleEmitter(scene, position, which, sample2d(sampler, SETS.light + SETS.perEvent * event), object);
 }
 
-/** The light of one emitter by way of a surface, weighted against what the BSDF would have found. */
-function lightFrom(
+/** What is left of its light after the way through the medium on its side of the surface. */
+function attenuated(
   scene: PathScene,
-  { position, object, frame, front, closed }: Vertex,
-  bsdf: Bsdf,
-  wo: Vec3,
+  { normal, object, front, closed }: Vertex,
   media: Media,
   light: EmitterSample | undefined,
-): Vec3 {
-  if (!light || !(light.pdf > 0)) return [0, 0, 0];
-  const wi = toLocal(frame, light.direction);
-  const { value, pdf } = bsdfValue(bsdf, wo, wi);
-  if (!value.some((channel) => channel > 0)) return [0, 0, 0];
-  const shadowRay = { origin: position, direction: light.direction, own: object };
-  if (occluded(scene, shadowRay, light.distance, light.object)) return [0, 0, 0];
-  const beyond = wi[2] < 0 && closed ? (front ? enter(media, object) : leave(media, object)) : media;
-  const weight = light.delta ? 1 : powerHeuristic(light.pdf, pdf);
-  const arriving = multiply(light.radiance, transmittance(scene, beyond, light.distance));
-  return scale(multiply(value, arriving), weight / light.pdf);
+): EmitterSample | undefined {
+  if (!light) return undefined;
+  const isBehind = dot(normal, light.direction) < 0 && closed;
+  const beyond = isBehind ? (front ? enter(media, object) : leave(media, object)) : media;
+  return { ...light, radiance: multiply(light.radiance, transmittance(scene, beyond, light.distance)) };
+}
+
+function scatter(bsdf: Bsdf, wo: Vec3, sampler: Sampler, event: number): BsdfSample {
+  const [, lobe] = sample2d(sampler, SETS.choice + SETS.perEvent * event);
+  return bsdfSample(bsdf, wo, sample2d(sampler, SETS.direction + SETS.perEvent * event), lobe);
 }
 
 /** The weight of emission that a ray met: how the same might have been found by asking for light. */
@@ -119,7 +112,7 @@ function emissionWeight(
 ): number {
   const emitter = scene.emitterOf[vertex.object];
   if (pdf === 0 || emitter === undefined) return 1;
-  return powerHeuristic(pdf, emitterPdf(scene, emitter, from, ray.direction, t, vertex.cosine, object));
+  return powerHeuristic(scene, pdf, emitterPdf(scene, emitter, from, ray.direction, t, vertex.cosine, object));
 }
 
 /** What comes from infinitely far away: the surroundings, and the suns that the direction points into. */
@@ -128,6 +121,6 @@ function escaped(scene: PathScene, direction: Vec3, { from, pdf }: Scattered): V
   return scene.emitters.reduce((sum, emitter, i): Vec3 => {
     if (emitter.kind !== 'sun') return sum;
     const asked = emitterPdf(scene, i, from, direction, Number.POSITIVE_INFINITY, 1);
-    return asked > 0 ? addScaled(sum, emitter.radiance, pdf === 0 ? 1 : powerHeuristic(pdf, asked)) : sum;
+    return asked > 0 ? addScaled(sum, emitter.radiance, pdf === 0 ? 1 : powerHeuristic(scene, pdf, asked)) : sum;
   }, surroundings);
 }

@@ -35,7 +35,7 @@ export function renderReference(scene: Scene, settings: ReferenceSettings): Refe
   const { width, height, nudge = [0, 0, 0], ...rest } = settings;
   const { samples, seed, bounces, integrator } = parseSettings(rest);
   const resolved = resolveScene(scene, width / height);
-  const paths = followsPaths(resolved, integrator) ? preparePaths(resolved) : undefined;
+  const paths = followsPaths(resolved, integrator) ? preparePaths(resolved, integrator) : undefined;
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
     const frame = cameraFrame(resolved.camera, width, height, pixelSample(sample, seed));

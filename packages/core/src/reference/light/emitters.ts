@@ -41,8 +41,19 @@ export function sampleEmitter(
   const emitter = emitters[index];
   const probability = table.probabilities[index] as number;
   if (!emitter || probability === 0) return undefined;
+  const sample = sampleOf(emitter, p, u, own);
+  return sample && { ...sample, pdf: sample.pdf * probability };
+}
+
+/** One of the directions to an emitter, by way of u; undefined where none leads to it. */
+export function sampleOf(
+  emitter: Emitter,
+  p: Vec3,
+  u: readonly [number, number],
+  own?: number,
+): EmitterSample | undefined {
   const sample = (samples[emitter.kind] as Sample<Emitter>)(emitter, p, u, isObject(emitter, own));
-  return sample && sample.pdf > 0 ? { ...sample, pdf: sample.pdf * probability } : undefined;
+  return sample && sample.pdf > 0 ? sample : undefined;
 }
 
 /**
