@@ -68,7 +68,7 @@ bool isBlack(vec3 color) {
 
 vec4 path() {
   Parts scene = loadParts();
-  Sampler random = pixelSampler(eye.sequence, eye.index);
+  Sampler random = pixelSampler(eye.sequence, eye.reversed);
   vec3 p;
   vec3 d;
 #ifdef LENS

@@ -4,7 +4,8 @@
 
 struct Sampler {
   uint seed;
-  uint index;
+  // Number of the sample within its half-sequence, its bits reversed.
+  uint reversed;
 };
 
 uint hash(uint value) {
@@ -21,43 +22,46 @@ uint reverseBits(uint value) {
   return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
 }
 
-// Owen scrambling of a number whose bits are reversed, which is how it returns.
+// Owen scrambling of a number: bits depend only on higher bits, which are the lower ones where it is reversed, as it is
+// here and as it is returned.
 uint owenReversed(uint reversed, uint seed) {
   uint x = reversed + seed;
   x ^= x * 0x6c50b47cu;
   x ^= x * 0xb82f1e52u;
   x ^= x * 0xc7afe638u;
-  x ^= x * 0x8d22f6e6u;
-  return reverseBits(x);
+  return x ^ (x * 0x8d22f6e6u);
 }
 
-// The point of the second dimension of the Sobol sequence from the reversed index; see random.ts.
-uint sobolSecond(uint reversed) {
-  uint x = reversed;
-  x ^= x << 16;
-  x ^= (x & 0x00ff00ffu) << 8;
-  x ^= (x & 0x0f0f0f0fu) << 4;
-  x ^= (x & 0x33333333u) << 2;
-  x ^= (x & 0x55555555u) << 1;
-  return x;
+// The point of the second dimension of the Sobol sequence, its bits reversed; see random.ts.
+uint sobolSecondReversed(uint index) {
+  uint x = index;
+  x ^= x >> 16;
+  x ^= (x & 0xff00ff00u) >> 8;
+  x ^= (x & 0xf0f0f0f0u) >> 4;
+  x ^= (x & 0xccccccccu) >> 2;
+  return x ^ ((x & 0xaaaaaaaau) >> 1);
+}
+
+uint turned(uint bits, int by) {
+  return (bits >> by) | (bits << (32 - by));
 }
 
 float unit(uint bits) {
   return float(bits >> 8) * (1.0 / 16777216.0);
 }
 
-// Of this fragment's pixel: `seed` and `index` are those of the sequence and its sample.
-Sampler pixelSampler(uint seed, uint index) {
+// Of this fragment's pixel: `seed` and `reversed` are those of the sequence and its sample.
+Sampler pixelSampler(uint seed, uint reversed) {
   uvec2 pixel = uvec2(gl_FragCoord.xy);
-  return Sampler(hash(pixel.x ^ hash(pixel.y ^ seed)), index);
+  return Sampler(hash(pixel.x ^ hash(pixel.y ^ seed)), reversed);
 }
 
 // A point of [0, 1)² of the `set`-th of the padded sequences.
 vec2 sample2d(Sampler s, uint set) {
-  uint scramble = hash(s.seed ^ hash(set));
-  uint i = owenReversed(reverseBits(s.index), scramble);
-  // The first dimension is the reversed index, which scrambling reverses again.
-  uint first = owenReversed(i, hash(scramble ^ 1u));
-  uint second = owenReversed(reverseBits(sobolSecond(reverseBits(i))), hash(scramble ^ 2u));
-  return vec2(unit(first), unit(second));
+  uint scramble = hash(s.seed + set * 0x9e3779b9u);
+  // The first dimension of the Sobol sequence is the index, reversed.
+  uint i = reverseBits(owenReversed(s.reversed, scramble));
+  uint first = owenReversed(i, turned(scramble, 11));
+  uint second = owenReversed(sobolSecondReversed(i), turned(scramble, 22));
+  return vec2(unit(reverseBits(first)), unit(reverseBits(second)));
 }

@@ -9,6 +9,7 @@ import {
   type ResolvedScene,
   requirements,
   resolveScene,
+  type SampleNumber,
   type Scene,
 } from '@ray-scene/core';
 import { Accumulation } from '../../packages/ray-scene/src/accumulation.ts';
@@ -28,7 +29,7 @@ export interface Subject {
 }
 
 interface Drawable {
-  draw(frame: CameraFrame): void;
+  draw(frame: CameraFrame, sample: SampleNumber): void;
 }
 
 /** A subject on the GPU. */
@@ -59,7 +60,7 @@ class Picture {
     this.#accumulation.clear();
     for (let i = 0; i < samples; i++) {
       const frame = cameraFrame(this.#scene.camera, width, height, pixelSample(i, 0));
-      this.#accumulation.add(() => this.#drawable.draw(frame));
+      this.#accumulation.add(() => this.#drawable.draw(frame, { sample: i, seed: 0 }));
     }
     this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.FLOAT, this.#pixel);
   }

@@ -76,7 +76,15 @@ function objectGroups({ shapes }: Requirements): readonly Group[] {
     });
 }
 
-const loop = ({ count }: Group, body: string): string => `  for (int i = 0; i < ${count}; i++) {\n${body}\n  }`;
+/** Few of these are written out: software rasterisers read the members of an array twice as fast at a constant place. */
+const SHORT_KINDS: readonly ShapeKind[] = ['sphere', 'plane', 'disc', 'quad', 'box', 'triangle'];
+const FEW = 8;
+
+/** A body for every object of a group, `i` being its index. */
+function loop({ kind, count }: Group, body: string): string {
+  if (count > FEW || !SHORT_KINDS.includes(kind)) return `  for (int i = 0; i < ${count}; i++) {\n${body}\n  }`;
+  return Array.from({ length: count }, (_, i) => `  {\n    const int i = ${i};\n${body}\n  }`).join('\n');
+}
 
 function nearestGlsl(groups: readonly Group[]): string {
   const searches = groups.map((group) =>

@@ -35,12 +35,17 @@ export function pixelSampler(x: number, y: number, index: number, seed: number):
 /** What all pixels' sequences have in common: the seed, and which of the two sequences the sample is of. */
 export const sequenceSeed = (index: number, seed: number): number => hash((seed ^ hash((index & 1) + 2)) >>> 0);
 
-/** A point of [0, 1)²: of the `set`-th of the padded sequences, which are shuffled independently. */
+/**
+ * A point of [0, 1)²: of the `set`-th of the padded sequences, which are shuffled independently. One hash serves the
+ * shuffle and both dimensions: turned, its bits decide something else in each of them.
+ */
 export function sample2d({ seed, index }: Sampler, set: number): readonly [number, number] {
-  const scramble = hash(seed ^ hash(set));
+  const scramble = hash((seed + Math.imul(set, 0x9e3779b9)) >>> 0);
   const i = owen(index, scramble);
-  return [unit(owen(reverseBits(i), hash(scramble ^ 1))), unit(owen(sobolSecond(i), hash(scramble ^ 2)))];
+  return [unit(owen(reverseBits(i), turned(scramble, 11))), unit(owen(sobolSecond(i), turned(scramble, 22)))];
 }
+
+const turned = (bits: number, by: number): number => ((bits >>> by) | (bits << (32 - by))) >>> 0;
 
 /** The upper 24 bits as a fraction: exact in f32. */
 const unit = (bits: number): number => (bits >>> 8) * 2 ** -24;
@@ -69,7 +74,8 @@ function owen(point: number, seed: number): number {
   return reverseBits(x);
 }
 
-function reverseBits(value: number): number {
+/** The 32 bits of a number the other way round. */
+export function reverseBits(value: number): number {
   let x = (value >>> 16) | (value << 16);
   x = ((x & 0x00ff00ff) << 8) | ((x & 0xff00ff00) >>> 8);
   x = ((x & 0x0f0f0f0f) << 4) | ((x & 0xf0f0f0f0) >>> 4);

@@ -1,7 +1,7 @@
 /** What the shader is told of the eye and of what surrounds the scene. */
 import type { CameraFrame } from './camera-frame.ts';
 import { powerOfTwoBelow } from './frame.ts';
-import { sequenceSeed } from './random.ts';
+import { reverseBits, sequenceSeed } from './random.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { rounded } from './split-parts.ts';
 import type { RecordValues } from './std140.ts';
@@ -22,7 +22,7 @@ export const eyeRecord = [
   { name: 'focus', type: 'float', when: 'LENS' },
   { name: 'lensY', type: 'vec3', when: 'LENS' },
   { name: 'sequence', type: 'uint', when: 'PATH' },
-  { name: 'index', type: 'uint', when: 'PATH' },
+  { name: 'reversed', type: 'uint', when: 'PATH' },
 ] as const;
 
 /** Which sample is drawn, and of which random numbers. */
@@ -67,7 +67,7 @@ export function packEye(frame: CameraFrame, { exact, scale, sample, seed }: Pack
     focus: (frame.focus * scale) / unit,
     lensY: times(lens[1], scale),
     sequence: sequenceSeed(sample, seed),
-    index: sample >>> 1,
+    reversed: reverseBits(sample >>> 1),
   };
 }
 
