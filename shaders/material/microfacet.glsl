@@ -33,11 +33,11 @@ Facet visibleNormal(float alpha, vec3 wo, vec2 u) {
   vec3 v = vec3(alpha * wo.xy, wo.z);
   float size = sqrt(squared(v));
   v /= max(size, SMALLEST);
-  // What is mirrored by a hemisphere goes evenly to the cap -v.z < z <= 1; 1 - z is taken in place of z.
+  // What is mirrored by a hemisphere goes evenly to the cap -v.z < z <= 1. Written by what adds up, not by what cancels.
   float cap = 1.0 + v.z;
-  float below = u.y * cap;
-  float radius = sqrt(max(below * (2.0 - below), 0.0));
-  vec3 h = vec3(radius * circle(u.x) + v.xy, cap - below);
+  float height = cap * (1.0 - u.y);
+  float radius = sqrt(u.y * (cap * height + v.x * v.x + v.y * v.y));
+  vec3 h = vec3(radius * circle(u.x) + v.xy, height);
   vec3 unstretched = vec3(alpha * h.xy, h.z);
   float stretched2 = squared(h);
   float length2 = max(squared(unstretched), SMALLEST);
