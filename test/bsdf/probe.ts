@@ -7,6 +7,7 @@ import type { Bsdf, BsdfSample, BsdfValue } from '../../packages/core/src/refere
 import type { Program } from '../../packages/ray-scene/src/program.ts';
 import { createTarget } from '../truth/probe-target.ts';
 import { knownNames } from './cases.ts';
+import material from './material.glsl';
 import main from './probe.frag.glsl';
 
 export interface Question {
@@ -29,7 +30,7 @@ const VERTEX = `#version 300 es
 
 /** A program with this main file, and what it includes of the shaders when these names are defined. */
 export function shaderSource(root: string, defined: ReadonlySet<string>) {
-  const files = { ...glslFiles, ...pathFiles, 'probe.frag.glsl': root };
+  const files = { ...glslFiles, ...pathFiles, 'probe/material.glsl': material, 'probe.frag.glsl': root };
   const { text, lines } = assembleGlsl('probe.frag.glsl', { files, defined, known: knownNames });
   return { vertex: VERTEX, fragment: text, lines };
 }
@@ -71,7 +72,8 @@ export function askBsdf(
   });
 }
 
-function setMaterial(gl: WebGL2RenderingContext, program: Program, { thin, ...bsdf }: Bsdf): void {
+/** Sets the uniforms of material.glsl. */
+export function setMaterial(gl: WebGL2RenderingContext, program: Program, { thin, ...bsdf }: Bsdf): void {
   for (const [name, value] of Object.entries({ ...bsdf, thin: Number(thin) })) {
     if (typeof value === 'number') gl.uniform1f(program.uniform(name), value);
     else gl.uniform3fv(program.uniform(name), [...value]);
