@@ -185,9 +185,15 @@ vec3 bsdfValue(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   }
 #endif
 #if defined(ROUGH) && defined(TRANSMISSION)
-  if (!isLetThrough(b) || wi.z == 0.0) return vec3(0.0);
+#ifdef OPAQUE_BASE
+  if (b.transmission == 0.0) return vec3(0.0);
+#endif
+  if (wi.z == 0.0) return vec3(0.0);
 #ifdef THIN
-  if (isThin(b)) return throughWall(b, wo, wi, pdf);
+#ifdef SOLID
+  if (b.thin)
+#endif
+    return throughWall(b, wo, wi, pdf);
 #endif
 #ifdef SOLID
   return refraction(b, wo, wi, pdf);
@@ -214,7 +220,10 @@ BsdfSample bsdfSample(Bsdf b, vec3 wo, vec2 u, float lobe) {
   if (lobe >= facets * s.reflection && lobe < facets) {
     float probability = facets * (1.0 - s.reflection);
 #ifdef THIN
-    if (isThin(b)) return sampleWall(b, wo, facet, s, probability);
+#ifdef SOLID
+    if (b.thin)
+#endif
+      return sampleWall(b, wo, facet, s, probability);
 #endif
 #ifdef SOLID
     return sampleRefraction(b, wo, facet, s, probability);
@@ -234,7 +243,10 @@ BsdfSample bsdfSample(Bsdf b, vec3 wo, vec2 u, float lobe) {
   vec3 value = reflection(b, wo, wi, facet.density, s, facets, pdf);
   return BsdfSample(wi, value / pdf, pdf);
 #endif
-#else
+#elif defined(OPAQUE_BASE)
   return BsdfSample(cosineDirection(u), b.color, INVERSE_PI * sqrt(1.0 - u.y));
+#else
+  // A scene without any material.
+  return BsdfSample(wo, vec3(0.0), 0.0);
 #endif
 }

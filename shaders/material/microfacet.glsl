@@ -1,7 +1,9 @@
 // GGX, in the frame of the surface, whose normal is z. alpha is 2^-32 or more, so that no power of it leaves the range of
 // f32. Precision: f32; 1 - cos² is always taken from x and y, so that nothing cancels however narrow the lobe is.
+#ifdef ROUGH
 #include "circle.glsl"
 #include "constants.glsl"
+#endif
 
 // A normal of the microsurface that is seen from a direction wo; its cosine with wo, and D at it.
 struct Facet {

@@ -33,6 +33,10 @@ describe('BSDFs on the GPU', function () {
   };
 
   const all = definedFor(Object.values(materials));
+  it('are a shader for scenes without any material too', () => {
+    programFor(definedFor([])).use();
+  });
+
   for (const [name, bsdf] of Object.entries(materials)) {
     it(`scatters ${name} as in f64, by a shader of its own and by one for all`, () => {
       const questions = questionsOf(bsdf);
