@@ -7,7 +7,8 @@ import { Program } from '../../packages/ray-scene/src/program.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
 import { bsdfOf, definedFor, materials } from '../bsdf/cases.ts';
 import { directionTo, type Furnace, histogramError, midpoints, wideMaterials } from '../bsdf/physics.ts';
-import { askBsdf, probeSource, type Question } from '../bsdf/probe.ts';
+import { askBsdf, probeSource } from '../bsdf/probe.ts';
+import type { Question } from '../bsdf/questions.ts';
 import { numbers } from '../bsdf/random.ts';
 
 describe('light at surfaces on the GPU', function () {

@@ -2,11 +2,12 @@
 import { expect } from '@open-wc/testing';
 import type { Vec3 } from '@ray-scene/core';
 import { type Bsdf, bsdfSample, bsdfValue, isMirrorOnly } from '../../packages/core/src/reference/material/bsdf.ts';
-import { length, normalize, subtract } from '../../packages/core/src/vector.ts';
+import { length, subtract } from '../../packages/core/src/vector.ts';
 import { Program } from '../../packages/ray-scene/src/program.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
 import { definedFor, materials } from '../bsdf/cases.ts';
-import { type Answer, askBsdf, probeSource, type Question } from '../bsdf/probe.ts';
+import { type Answer, askBsdf, probeSource } from '../bsdf/probe.ts';
+import { anyMaterial, anyQuestion, direction, NEARLY_1, type Question, rounded } from '../bsdf/questions.ts';
 import { numbers } from '../bsdf/random.ts';
 
 /** So many questions; the first ones are about extremes, of which it is only asked that they have answers. */
@@ -33,6 +34,17 @@ describe('BSDFs on the GPU', function () {
   };
 
   const all = definedFor(Object.values(materials));
+
+  it('answers with numbers, whatever the material and the directions', () => {
+    const random = numbers(13);
+    for (let i = 0; i < 300; i++) {
+      const bsdf = anyMaterial(random);
+      const questions = Array.from({ length: 256 }, () => anyQuestion(random));
+      const at = askBsdf(device.gl, programFor(all), bsdf, questions).findIndex((answer) => !isNumbers(answer));
+      expect(at < 0 ? '' : JSON.stringify([bsdf, questions[at]])).to.equal('');
+    }
+  });
+
   it('are a shader for scenes without any material too', () => {
     programFor(definedFor([])).use();
   });
@@ -86,9 +98,6 @@ function relative(values: readonly number[], right: readonly number[]): number {
   return off === 0 ? 0 : off / size;
 }
 
-/** The last number before 1 that a sampler gives. */
-const NEARLY_1 = 1 - 2 ** -24;
-
 function questionsOf(bsdf: Bsdf): readonly Question[] {
   const random = numbers(7);
   const extremes = [0, 2 ** -24, 0.5, NEARLY_1];
@@ -110,13 +119,3 @@ const EDGES: readonly Vec3[] = [
   [Math.fround(0.6), Math.fround(0.8), 2 ** -30],
   [1, 0, 0],
 ];
-
-const rounded = (v: Vec3): Vec3 => v.map(Math.fround) as unknown as Vec3;
-
-/** Evenly over the hemisphere, or (grazing) with all magnitudes of z. */
-function direction(random: () => number, isGrazing: boolean): Vec3 {
-  const z = isGrazing ? 10 ** (-7 * random()) : random();
-  const angle = 2 * Math.PI * random();
-  const r = Math.sqrt(1 - z * z);
-  return rounded(normalize([r * Math.cos(angle), r * Math.sin(angle), z]));
-}

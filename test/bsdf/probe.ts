@@ -9,13 +9,7 @@ import { createTarget } from '../truth/probe-target.ts';
 import { knownNames } from './cases.ts';
 import material from './material.glsl';
 import main from './probe.frag.glsl';
-
-export interface Question {
-  readonly wo: Vec3;
-  readonly u: readonly [number, number];
-  readonly lobe: number;
-  readonly wi: Vec3;
-}
+import type { Question } from './questions.ts';
 
 export interface Answer {
   readonly sample: BsdfSample;

@@ -9,12 +9,24 @@ import { tangents } from '../../packages/core/src/reference/tangents.ts';
 import { add, cross, dot, length, negate, normalize, scale, subtract } from '../../packages/core/src/vector.ts';
 import { bsdfOf, materials } from '../bsdf/cases.ts';
 import { directionTo, type Furnace, histogramError, midpoints, wideMaterials } from '../bsdf/physics.ts';
+import { anyMaterial, anyQuestion } from '../bsdf/questions.ts';
 import { numbers } from '../bsdf/random.ts';
 
 const SLOPES = [1, 0.7, 0.2, 1e-3, 1e-7, 0];
 const ALPHAS = [0, 2 ** -30, 1e-4, 0.01, 0.1, 0.3, 1];
 
 const isClose = (a: number, b: number, limit: number): boolean => Math.abs(a - b) <= limit * Math.abs(b);
+
+test('whatever the material and the directions, answers are numbers', () => {
+  const random = numbers(13);
+  for (let i = 0; i < 20000; i++) {
+    const bsdf = anyMaterial(random);
+    const { wo, wi, u, lobe } = anyQuestion(random);
+    const [sample, value] = [bsdfSample(bsdf, wo, u, lobe), bsdfValue(bsdf, wo, wi)];
+    const answer = [...sample.wi, ...sample.weight, sample.pdf, ...value.value, value.pdf];
+    assert.ok(answer.every(Number.isFinite), JSON.stringify([bsdf, wo, wi, u, lobe]));
+  }
+});
 
 /** Samples for as many random numbers. */
 function samples(bsdf: Bsdf, wo: Vec3, count: number, seed = 3) {
