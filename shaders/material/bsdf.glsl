@@ -45,20 +45,31 @@ vec3 reflection(Bsdf b, vec3 wo, vec3 wi, float density, Split s, float facets, 
   return value;
 }
 
-BsdfSample sampleReflection(Bsdf b, vec3 wo, Facet facet, Split s, float facets) {
-  vec3 wi = 2.0 * facet.cosine * facet.normal - wo;
+// The facet that mirrors wo to wi, told by their sum.
+Facet halfway(Bsdf b, vec3 h) {
+  float density = 0.0;
+#ifdef ROUGH
+  density = ggx(b.alpha, h);
+#endif
+  float size = sqrt(squared(h));
+  return Facet(h / max(size, SMALLEST), 0.5 * size, density);
+}
+
+// A facet that is seen from wo.
+Facet facetSeen(Bsdf b, vec3 wo, vec2 u) {
 #ifdef SMOOTH
 #ifdef ROUGH
   if (b.alpha == 0.0)
 #endif
-    return BsdfSample(wi, s.reflected / (facets * s.reflection), 0.0);
+    return Facet(vec3(0.0, 0.0, 1.0), wo.z, 0.0);
 #endif
 #ifdef ROUGH
-  if (!(wi.z > 0.0 && sum(s.reflected) > 0.0)) return BsdfSample(wi, vec3(0.0), 0.0);
-  float pdf;
-  vec3 value = reflection(b, wo, wi, facet.density, s, facets, pdf);
-  return BsdfSample(wi, value / pdf, pdf);
+  return visibleNormal(b.alpha, wo, u);
 #endif
+}
+
+vec3 mirrored(vec3 wo, Facet facet) {
+  return 2.0 * facet.cosine * facet.normal - wo;
 }
 #endif
 
@@ -66,9 +77,9 @@ BsdfSample sampleReflection(Bsdf b, vec3 wo, Facet facet, Split s, float facets)
 #ifdef ROUGH
 // The lobe below a thin wall: that of reflection, turned over.
 vec3 throughWall(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
-  vec3 h = vec3(wo.xy + wi.xy, wo.z - wi.z);
-  Split s = splitAt(b, 0.5 * sqrt(squared(h)));
-  float lobe = 0.25 * ggx(b.alpha, h) * smithOverCosine(b.alpha, wo.z);
+  Facet facet = halfway(b, vec3(wo.xy + wi.xy, wo.z - wi.z));
+  Split s = splitAt(b, facet.cosine);
+  float lobe = 0.25 * facet.density * smithOverCosine(b.alpha, wo.z);
   pdf = facetProbability(b, wo.z) * (1.0 - s.reflection) * lobe;
   return (lobe * (-wi.z * smithOverCosine(b.alpha, -wi.z))) * s.transmitted;
 }
@@ -76,7 +87,7 @@ vec3 throughWall(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
 
 // `probability` is that of coming here.
 BsdfSample sampleWall(Bsdf b, vec3 wo, Facet facet, Split s, float probability) {
-  vec3 wi = 2.0 * facet.cosine * facet.normal - wo;
+  vec3 wi = mirrored(wo, facet);
   wi.z = -wi.z;
   vec3 weight = s.transmitted / max(probability, SMALLEST);
 #ifdef SMOOTH
@@ -169,18 +180,20 @@ vec3 bsdfValue(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
 #else
 #if defined(OPAQUE_BASE) || defined(ROUGH)
   if (wi.z > 0.0) {
-    vec3 h = wo + wi;
-    float density = 0.0;
-#ifdef ROUGH
-    density = ggx(b.alpha, h);
-#endif
-    return reflection(b, wo, wi, density, splitAt(b, 0.5 * sqrt(squared(h))), facetProbability(b, wo.z), pdf);
+    Facet facet = halfway(b, wo + wi);
+    return reflection(b, wo, wi, facet.density, splitAt(b, facet.cosine), facetProbability(b, wo.z), pdf);
   }
 #endif
 #if defined(ROUGH) && defined(TRANSMISSION)
-  if (!isLetThrough(b) || wi.z == 0.0) return vec3(0.0);
+#ifdef OPAQUE_BASE
+  if (b.transmission == 0.0) return vec3(0.0);
+#endif
+  if (wi.z == 0.0) return vec3(0.0);
 #ifdef THIN
-  if (isThin(b)) return throughWall(b, wo, wi, pdf);
+#ifdef SOLID
+  if (b.thin)
+#endif
+    return throughWall(b, wo, wi, pdf);
 #endif
 #ifdef SOLID
   return refraction(b, wo, wi, pdf);
@@ -190,38 +203,50 @@ vec3 bsdfValue(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
 #endif
 }
 
-// Draws wi. u is where on the lobe; `lobe` in [0, 1) tells which.
+// Draws wi. u is where on the lobe; `lobe` in [0, 1) tells which: a facet, which reflects or lets through, or the base.
 BsdfSample bsdfSample(Bsdf b, vec3 wo, vec2 u, float lobe) {
 #ifdef REFLECTIVE
   float facets = facetProbability(b, wo.z);
+  Facet facet = facetSeen(b, wo, u);
+  vec3 wi = mirrored(wo, facet);
 #ifdef OPAQUE_BASE
   if (lobe >= facets) {
-    vec3 wi = cosineDirection(u);
-    float pdf;
-    vec3 value = bsdfValue(b, wo, wi, pdf);
-    return BsdfSample(wi, value / pdf, pdf);
+    wi = cosineDirection(u);
+    facet = halfway(b, wo + wi);
   }
-#endif
-  Facet facet = Facet(vec3(0.0, 0.0, 1.0), wo.z, 0.0);
-#if defined(ROUGH) && defined(SMOOTH)
-  if (b.alpha > 0.0) facet = visibleNormal(b.alpha, wo, u);
-#elif defined(ROUGH)
-  facet = visibleNormal(b.alpha, wo, u);
 #endif
   Split s = splitAt(b, facet.cosine);
 #ifdef TRANSMISSION
-  if (lobe >= facets * s.reflection) {
+  if (lobe >= facets * s.reflection && lobe < facets) {
     float probability = facets * (1.0 - s.reflection);
 #ifdef THIN
-    if (isThin(b)) return sampleWall(b, wo, facet, s, probability);
+#ifdef SOLID
+    if (b.thin)
+#endif
+      return sampleWall(b, wo, facet, s, probability);
 #endif
 #ifdef SOLID
     return sampleRefraction(b, wo, facet, s, probability);
 #endif
   }
 #endif
-  return sampleReflection(b, wo, facet, s, facets);
-#else
+  if (lobe < facets) {
+#if defined(SMOOTH) && defined(ROUGH)
+    if (b.alpha == 0.0) return BsdfSample(wi, s.reflected / (facets * s.reflection), 0.0);
+#elif defined(SMOOTH)
+    return BsdfSample(wi, s.reflected / (facets * s.reflection), 0.0);
+#endif
+    if (!(wi.z > 0.0 && sum(s.reflected) > 0.0)) return BsdfSample(wi, vec3(0.0), 0.0);
+  }
+#if defined(ROUGH) || defined(OPAQUE_BASE)
+  float pdf;
+  vec3 value = reflection(b, wo, wi, facet.density, s, facets, pdf);
+  return BsdfSample(wi, value / pdf, pdf);
+#endif
+#elif defined(OPAQUE_BASE)
   return BsdfSample(cosineDirection(u), b.color, INVERSE_PI * sqrt(1.0 - u.y));
+#else
+  // A scene without any material.
+  return BsdfSample(wo, vec3(0.0), 0.0);
 #endif
 }

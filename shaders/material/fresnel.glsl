@@ -32,31 +32,11 @@ struct Bsdf {
   vec3 specular;
 #endif
 #if defined(THIN) && defined(SOLID)
+  // Whether the surface is a wall with the same on both sides.
   bool thin;
 #endif
 #endif
 };
-
-#ifdef TRANSMISSION
-// Whether the surface is a wall with the same on both sides.
-bool isThin(Bsdf b) {
-#if defined(THIN) && defined(SOLID)
-  return b.thin;
-#elif defined(THIN)
-  return true;
-#else
-  return false;
-#endif
-}
-
-bool isLetThrough(Bsdf b) {
-#ifdef OPAQUE_BASE
-  return b.transmission > 0.0;
-#else
-  return true;
-#endif
-}
-#endif
 
 #if defined(OPAQUE_BASE) && defined(SMOOTH)
 // Whether some light is scattered below the surface.
@@ -96,6 +76,7 @@ float largest(vec3 color) {
   return max(max(color.r, color.g), color.b);
 }
 
+#if defined(METAL) || defined(SPECULAR) && defined(OPAQUE_BASE)
 // (1 - cos)^5, the weight of Schlick's approximation.
 float schlickWeight(float cosine) {
   // Rounding may carry a cosine above 1.
@@ -103,12 +84,15 @@ float schlickWeight(float cosine) {
   float m2 = m * m;
   return m2 * m2 * m;
 }
+#endif
 
 #ifdef SPECULAR
 // Reflectance of the dielectric layer.
 vec3 layerReflectance(Bsdf b, float cosine) {
 #ifdef TRANSMISSION
-  if (isLetThrough(b))
+#ifdef OPAQUE_BASE
+  if (b.transmission > 0.0)
+#endif
 #if defined(SPECULAR_TINT) || defined(SPECULAR_WEIGHT)
     return b.specular * exactFresnel(cosine, b.eta);
 #else
@@ -150,8 +134,10 @@ Split splitAt(Bsdf b, float cosine) {
   through *= b.transmission;
   s.diffuse = b.color * (under * (1.0 - b.transmission));
 #endif
-#ifdef SOLID
-  if (!isThin(b) && refractedCosine2(cosine, b.eta) < 0.0) through = 0.0;
+#if defined(SOLID) && defined(THIN)
+  if (!b.thin && refractedCosine2(cosine, b.eta) < 0.0) through = 0.0;
+#elif defined(SOLID)
+  if (refractedCosine2(cosine, b.eta) < 0.0) through = 0.0;
 #endif
   s.transmitted = b.color * through;
   float all = sum(s.reflected) + sum(s.transmitted);

@@ -1,7 +1,9 @@
 // GGX, in the frame of the surface, whose normal is z. alpha is 2^-32 or more, so that no power of it leaves the range of
 // f32. Precision: f32; 1 - cos² is always taken from x and y, so that nothing cancels however narrow the lobe is.
+#ifdef ROUGH
 #include "circle.glsl"
 #include "constants.glsl"
+#endif
 
 // A normal of the microsurface that is seen from a direction wo; its cosine with wo, and D at it.
 struct Facet {
@@ -33,11 +35,11 @@ Facet visibleNormal(float alpha, vec3 wo, vec2 u) {
   vec3 v = vec3(alpha * wo.xy, wo.z);
   float size = sqrt(squared(v));
   v /= max(size, SMALLEST);
-  // What is mirrored by a hemisphere goes evenly to the cap -v.z < z <= 1; 1 - z is taken in place of z.
+  // What is mirrored by a hemisphere goes evenly to the cap -v.z < z <= 1. Written by what adds up, not by what cancels.
   float cap = 1.0 + v.z;
-  float below = u.y * cap;
-  float radius = sqrt(max(below * (2.0 - below), 0.0));
-  vec3 h = vec3(radius * circle(u.x) + v.xy, cap - below);
+  float height = cap * (1.0 - u.y);
+  float radius = sqrt(u.y * (cap * height + v.x * v.x + v.y * v.y));
+  vec3 h = vec3(radius * circle(u.x) + v.xy, height);
   vec3 unstretched = vec3(alpha * h.xy, h.z);
   float stretched2 = squared(h);
   float length2 = max(squared(unstretched), SMALLEST);

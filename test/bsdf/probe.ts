@@ -7,14 +7,9 @@ import type { Bsdf, BsdfSample, BsdfValue } from '../../packages/core/src/refere
 import type { Program } from '../../packages/ray-scene/src/program.ts';
 import { createTarget } from '../truth/probe-target.ts';
 import { knownNames } from './cases.ts';
+import material from './material.glsl';
 import main from './probe.frag.glsl';
-
-export interface Question {
-  readonly wo: Vec3;
-  readonly u: readonly [number, number];
-  readonly lobe: number;
-  readonly wi: Vec3;
-}
+import type { Question } from './questions.ts';
 
 export interface Answer {
   readonly sample: BsdfSample;
@@ -27,11 +22,23 @@ const WIDTH = 256;
 const VERTEX = `#version 300 es
   void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }`;
 
-/** The shader of scenes for which these names are defined. */
-export function probeSource(defined: ReadonlySet<string>) {
-  const files = { ...glslFiles, ...pathFiles, 'probe.frag.glsl': main };
+/** A program with this main file, and what it includes of the shaders when these names are defined. */
+export function shaderSource(root: string, defined: ReadonlySet<string>) {
+  const files = { ...glslFiles, ...pathFiles, 'probe/material.glsl': material, 'probe.frag.glsl': root };
   const { text, lines } = assembleGlsl('probe.frag.glsl', { files, defined, known: knownNames });
   return { vertex: VERTEX, fragment: text, lines };
+}
+
+export const probeSource = (defined: ReadonlySet<string>) => shaderSource(main, defined);
+
+/** What the program in use draws. */
+export function drawnPixels(gl: WebGL2RenderingContext, width: number, height: number): Float32Array {
+  const target = createTarget(gl, width, height);
+  gl.viewport(0, 0, width, height);
+  gl.drawArrays(gl.TRIANGLES, 0, 3);
+  const pixels = target.read();
+  target.dispose();
+  return pixels;
 }
 
 /** The answers to all questions about one material. */
@@ -44,17 +51,11 @@ export function askBsdf(
   const height = Math.ceil(questions.length / WIDTH);
   program.use();
   setMaterial(gl, program, bsdf);
+  gl.uniform1i(program.uniform('questions'), 1);
   const texture = questionTexture(gl, questions, height);
   const [directions, weights, values] = [0, 1, 2].map((part) => {
-    const target = createTarget(gl, WIDTH, height);
-    // Making the target has bound its texture.
-    gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.uniform1i(program.uniform('part'), part);
-    gl.viewport(0, 0, WIDTH, height);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    const pixels = target.read();
-    target.dispose();
-    return pixels;
+    return drawnPixels(gl, WIDTH, height);
   }) as [Float32Array, Float32Array, Float32Array];
   gl.deleteTexture(texture);
   return questions.map((_, i) => {
@@ -65,7 +66,8 @@ export function askBsdf(
   });
 }
 
-function setMaterial(gl: WebGL2RenderingContext, program: Program, { thin, ...bsdf }: Bsdf): void {
+/** Sets the uniforms of material.glsl. */
+export function setMaterial(gl: WebGL2RenderingContext, program: Program, { thin, ...bsdf }: Bsdf): void {
   for (const [name, value] of Object.entries({ ...bsdf, thin: Number(thin) })) {
     if (typeof value === 'number') gl.uniform1f(program.uniform(name), value);
     else gl.uniform3fv(program.uniform(name), [...value]);
@@ -85,12 +87,15 @@ function questionTexture(
     texels.set([u[1], 0, 0, 0], at + 8 * WIDTH);
   });
   const texture = gl.createTexture();
+  // The first unit is the target's.
+  gl.activeTexture(gl.TEXTURE1);
   gl.bindTexture(gl.TEXTURE_2D, texture);
   // Floats are not filtered everywhere.
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, WIDTH, 3 * height);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, WIDTH, 3 * height, gl.RGBA, gl.FLOAT, texels);
+  gl.activeTexture(gl.TEXTURE0);
   return texture;
 }
 

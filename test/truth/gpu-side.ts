@@ -4,6 +4,7 @@ import { type BenchBrowser, type BenchPage, startBrowser } from '../bench/browse
 import { findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
 import type { BrdfQuestion } from './brdf-tables.ts';
+import type { BsdfQuestion } from './bsdf-tables.ts';
 import type { GpuPicture } from './images/gpu-picture.ts';
 import { withoutAlpha } from './images/reference-job.ts';
 import type { Answer, Problem } from './problem.ts';
@@ -68,6 +69,12 @@ export class Gpu {
     const bytes = Buffer.from(await this.page.execute(() => truth.readPicture(), undefined), 'base64');
     return withoutAlpha(new Float32Array(new Uint8Array(bytes).buffer));
   }
+
+  readonly scattering = (questions: readonly BsdfQuestion[]): Promise<readonly (readonly number[])[]> =>
+    inChunks(questions, async (chunk) => {
+      const texts = await this.page.execute((asked: readonly BsdfQuestion[]) => truth.scattering(asked), chunk);
+      return texts.map((channels) => channels.map(Number));
+    });
 
   close(): Promise<void> {
     return this.#browser.close();

@@ -2,6 +2,8 @@
 import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
 import { BrdfProbe } from './brdf-probe.ts';
 import type { BrdfQuestion } from './brdf-tables.ts';
+import { BsdfProbe } from './bsdf-probe.ts';
+import type { BsdfQuestion } from './bsdf-tables.ts';
 import { Probe } from './probe.ts';
 import type { Problem } from './problem.ts';
 
@@ -21,4 +23,12 @@ let brdfProbe: BrdfProbe | undefined;
 export function reflectance(questions: readonly BrdfQuestion[]): readonly (readonly string[])[] {
   brdfProbe ??= new BrdfProbe(RenderDevice.shared);
   return brdfProbe.answer(questions).map((channels) => channels.map(String));
+}
+
+let bsdfProbe: BsdfProbe | undefined;
+
+/** Three channels each, as text. */
+export function scattering(questions: readonly BsdfQuestion[]): readonly (readonly string[])[] {
+  bsdfProbe ??= new BsdfProbe(RenderDevice.shared);
+  return bsdfProbe.answer(questions).map((channels) => channels.map(String));
 }

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
 import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tables.ts';
+import { bsdfTables } from './bsdf-tables.ts';
 import { Gpu } from './gpu-side.ts';
 import type { ImageRow } from './images/judge-image.ts';
 import { measureImages } from './images/measure-images.ts';
@@ -97,26 +98,26 @@ async function measureVectors(onCpu: boolean, gpu: Gpu | undefined): Promise<Vec
 
 async function measureBrdf(onCpu: boolean, gpu: Gpu | undefined): Promise<readonly BrdfRow[]> {
   const rows: BrdfRow[] = [];
+  const measureTable = async <Q>(table: string, cases: readonly BrdfCase<Q>[], ask?: AskBrdf<Q>): Promise<void> => {
+    const references = (): readonly (readonly number[])[] => cases.map(({ reference }) => reference());
+    if (onCpu) rows.push(brdfRow('reference', table, cases, references()));
+    if (ask) rows.push(brdfRow('gpu', table, cases, await ask(cases.map(({ question }) => question))));
+  };
   for (const [table, caseOf] of Object.entries(brdfTables)) {
-    const cases = lines<never>('brdf', `${table}.jsonl`).map(caseOf);
-    if (onCpu)
-      rows.push(
-        brdfRow(
-          'reference',
-          table,
-          cases,
-          cases.map(({ reference }) => reference()),
-        ),
-      );
-    if (gpu) rows.push(brdfRow('gpu', table, cases, await gpu.reflectance(cases.map(({ question }) => question))));
+    await measureTable(table, lines<never>('brdf', `${table}.jsonl`).map(caseOf), gpu?.reflectance);
+  }
+  for (const [table, { file, casesOf }] of Object.entries(bsdfTables)) {
+    await measureTable(table, casesOf(lines<never>('brdf', `${file}.jsonl`)), gpu?.scattering);
   }
   return rows;
 }
 
+type AskBrdf<Q> = (questions: readonly Q[]) => Promise<readonly (readonly number[])[]>;
+
 function brdfRow(
   side: BrdfRow['side'],
   table: string,
-  cases: readonly BrdfCase[],
+  cases: readonly BrdfCase<unknown>[],
   values: readonly (readonly number[])[],
 ): BrdfRow {
   const errors = cases.map((one, i) => brdfError(values[i] ?? [], one, side));

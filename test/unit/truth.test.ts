@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { brdfError, brdfTables } from '../truth/brdf-tables.ts';
+import { type BrdfCase, brdfError, brdfTables } from '../truth/brdf-tables.ts';
+import { bsdfTables } from '../truth/bsdf-tables.ts';
 import { isKind } from '../truth/reference-side.ts';
 import { brokenLimits, vectorRows } from '../truth/rows.ts';
 import { parseLines, type VectorCase, vectorKinds, type WatertightCase } from '../truth/vector-cases.ts';
@@ -29,12 +30,16 @@ if (isKind('triangle')) {
   });
 }
 
-for (const [table, caseOf] of Object.entries(brdfTables)) {
+function isAsInTable(table: string, cases: readonly BrdfCase<unknown>[]): void {
   test(`reflectance is as in the table ${table}`, () => {
-    const errors = lines<never>(`brdf/${table}`)
-      .map(caseOf)
-      .map((one) => brdfError(one.reference(), one, 'reference'));
+    const errors = cases.map((one) => brdfError(one.reference(), one, 'reference'));
     assert.ok(errors.length > 0);
     assert.ok(Math.max(...errors) < 64, `${Math.max(...errors)}`);
   });
+}
+
+for (const [table, caseOf] of Object.entries(brdfTables)) isAsInTable(table, lines<never>(`brdf/${table}`).map(caseOf));
+
+for (const [table, { file, casesOf }] of Object.entries(bsdfTables)) {
+  isAsInTable(table, casesOf(lines<never>(`brdf/${file}`)));
 }

@@ -2,7 +2,7 @@
  * Twin of shaders/material/bsdf.glsl: how a material scatters light at one point. Directions have unit length and are in
  * the frame of the surface: z is the normal on the side of wo, wo goes to the eye, wi to where the light comes from.
  */
-import { add, addScaled, dot, negate, scale, type Vec3 } from '../../vector.ts';
+import { add, addScaled, dot, length, negate, scale, type Vec3 } from '../../vector.ts';
 import { circle } from '../circle.ts';
 import { refracted, refractedCosine2 } from './dielectric.ts';
 import { type Bsdf, facetProbability, hasBase, type Split, splitAt } from './fresnel.ts';
@@ -47,19 +47,23 @@ function reflection({ alpha }: Bsdf, wo: Vec3, wi: Vec3, density: number, split:
   };
 }
 
-function sampleReflection(bsdf: Bsdf, wo: Vec3, facet: Facet, split: Split, facets: number): BsdfSample {
-  const wi = addScaled(negate(wo), facet.normal, 2 * facet.cosine);
-  if (bsdf.alpha === 0) return { wi, weight: scale(split.reflected, 1 / (facets * split.reflection)), pdf: 0 };
-  if (!(wi[2] > 0)) return { wi, weight: BLACK, pdf: 0 };
-  const { value, pdf } = reflection(bsdf, wo, wi, facet.density, split, facets);
-  return { wi, weight: scale(value, 1 / pdf), pdf };
+/** The facet that mirrors wo to wi, told by their sum. */
+function halfway({ alpha }: Bsdf, h: Vec3): Facet {
+  const size = length(h);
+  return { normal: scale(h, 1 / size), cosine: 0.5 * size, density: alpha > 0 ? ggx(alpha, h) : 0 };
 }
+
+/** A facet that is seen from wo. */
+const facetSeen = ({ alpha }: Bsdf, wo: Vec3, u: readonly [number, number]): Facet =>
+  alpha > 0 ? visibleNormal(alpha, wo, u) : { normal: [0, 0, 1], cosine: wo[2], density: 0 };
+
+const mirrored = (wo: Vec3, { normal, cosine }: Facet): Vec3 => addScaled(negate(wo), normal, 2 * cosine);
 
 /** The lobe below a thin wall: that of reflection, turned over. */
 function throughWall(bsdf: Bsdf, wo: Vec3, [x, y, z]: Vec3): BsdfValue {
-  const h = add(wo, [x, y, -z]);
-  const split = splitAt(bsdf, 0.5 * Math.sqrt(dot(h, h)));
-  const lobe = 0.25 * ggx(bsdf.alpha, h) * smithOverCosine(bsdf.alpha, wo[2]);
+  const { cosine, density } = halfway(bsdf, add(wo, [x, y, -z]));
+  const split = splitAt(bsdf, cosine);
+  const lobe = 0.25 * density * smithOverCosine(bsdf.alpha, wo[2]);
   return {
     value: scale(split.transmitted, lobe * -z * smithOverCosine(bsdf.alpha, -z)),
     pdf: facetProbability(bsdf, wo[2]) * (1 - split.reflection) * lobe,
@@ -68,7 +72,7 @@ function throughWall(bsdf: Bsdf, wo: Vec3, [x, y, z]: Vec3): BsdfValue {
 
 /** `probability` is that of coming here. */
 function sampleWall({ alpha }: Bsdf, wo: Vec3, facet: Facet, split: Split, probability: number): BsdfSample {
-  const [x, y, z] = addScaled(negate(wo), facet.normal, 2 * facet.cosine);
+  const [x, y, z] = mirrored(wo, facet);
   const wi: Vec3 = [x, y, -z];
   const weight = scale(split.transmitted, 1 / probability);
   if (alpha === 0) return { wi, weight, pdf: 0 };
@@ -133,28 +137,34 @@ export const isMirrorOnly = (bsdf: Bsdf): boolean => bsdf.alpha === 0 && !hasBas
 export function bsdfValue(bsdf: Bsdf, wo: Vec3, wi: Vec3): BsdfValue {
   const { alpha, transmission, thin } = bsdf;
   if (wi[2] > 0) {
-    const h = add(wo, wi);
-    const split = splitAt(bsdf, 0.5 * Math.sqrt(dot(h, h)));
-    return reflection(bsdf, wo, wi, alpha > 0 ? ggx(alpha, h) : 0, split, facetProbability(bsdf, wo[2]));
+    const { cosine, density } = halfway(bsdf, add(wo, wi));
+    return reflection(bsdf, wo, wi, density, splitAt(bsdf, cosine), facetProbability(bsdf, wo[2]));
   }
   if (alpha === 0 || transmission === 0 || wi[2] === 0) return NOTHING;
   return thin ? throughWall(bsdf, wo, wi) : refraction(bsdf, wo, wi);
 }
 
-/** Draws wi. u is where on the lobe; `lobe` in [0, 1) tells which. */
+/**
+ * Draws wi. u is where on the lobe; `lobe` in [0, 1) tells which: a facet, which reflects or lets through, or the base.
+ */
 export function bsdfSample(bsdf: Bsdf, wo: Vec3, u: readonly [number, number], lobe: number): BsdfSample {
   const facets = facetProbability(bsdf, wo[2]);
-  if (lobe >= facets) {
-    const wi = cosineDirection(u);
-    const { value, pdf } = bsdfValue(bsdf, wo, wi);
-    return { wi, weight: scale(value, 1 / pdf), pdf };
+  const isFacet = lobe < facets;
+  let facet = facetSeen(bsdf, wo, u);
+  let wi = mirrored(wo, facet);
+  if (!isFacet) {
+    wi = cosineDirection(u);
+    facet = halfway(bsdf, add(wo, wi));
   }
-  const facet = bsdf.alpha > 0 ? visibleNormal(bsdf.alpha, wo, u) : { normal: UP, cosine: wo[2], density: 0 };
   const split = splitAt(bsdf, facet.cosine);
-  if (lobe < facets * split.reflection) return sampleReflection(bsdf, wo, facet, split, facets);
-  const through = bsdf.thin ? sampleWall : sampleRefraction;
-  return through(bsdf, wo, facet, split, facets * (1 - split.reflection));
+  if (isFacet && lobe >= facets * split.reflection) {
+    const through = bsdf.thin ? sampleWall : sampleRefraction;
+    return through(bsdf, wo, facet, split, facets * (1 - split.reflection));
+  }
+  if (isFacet && bsdf.alpha === 0)
+    return { wi, weight: scale(split.reflected, 1 / (facets * split.reflection)), pdf: 0 };
+  if (!(wi[2] > 0)) return { wi, weight: BLACK, pdf: 0 };
+  // By the facet that was drawn: of a narrow lobe the rounded directions do not tell it.
+  const { value, pdf } = reflection(bsdf, wo, wi, facet.density, split, facets);
+  return { wi, weight: scale(value, 1 / pdf), pdf };
 }
-
-/** The normal of a mirror's facet. */
-const UP: Vec3 = [0, 0, 1];

@@ -29,16 +29,16 @@ export const smithOverCosine = (alpha: number, cosine: number): number =>
  * A visible normal, with the probability density G1(wo) D(h) (wo·h) / wo.z.
  * Source: J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", Computer Graphics Forum 42(8), 2023.
  */
-export function visibleNormal(alpha: number, wo: Vec3, [angle, height]: readonly [number, number]): Facet {
+export function visibleNormal(alpha: number, wo: Vec3, [angle, share]: readonly [number, number]): Facet {
   // Stretched along z so that the microsurface is a hemisphere.
   const size = Math.hypot(alpha * wo[0], alpha * wo[1], wo[2]);
   const v: Vec3 = [(alpha * wo[0]) / size, (alpha * wo[1]) / size, wo[2] / size];
-  // What is mirrored by a hemisphere goes evenly to the cap -v.z < z <= 1; 1 - z is taken in place of z.
+  // What is mirrored by a hemisphere goes evenly to the cap -v.z < z <= 1. Written by what adds up, not by what cancels.
   const cap = 1 + v[2];
-  const below = height * cap;
-  const radius = Math.sqrt(below * (2 - below));
+  const height = cap * (1 - share);
+  const radius = Math.sqrt(share * (cap * height + v[0] * v[0] + v[1] * v[1]));
   const [x, y] = circle(angle);
-  const h: Vec3 = [radius * x + v[0], radius * y + v[1], cap - below];
+  const h: Vec3 = [radius * x + v[0], radius * y + v[1], height];
   const unstretched: Vec3 = [alpha * h[0], alpha * h[1], h[2]];
   const stretched2 = dot(h, h);
   const length2 = dot(unstretched, unstretched);
