@@ -2,14 +2,12 @@
 // Shows accumulated samples: their mean, exposed, tone mapped and encoded, premultiplied as a page composites it.
 precision highp float;
 
+#include "accumulated.glsl"
 #include "display/srgb.glsl"
 #ifdef TONE_MAPPING_NEUTRAL
 #include "display/pbr-neutral.glsl"
 #endif
 
-// Linear radiance premultiplied by coverage, times `weight`.
-uniform highp sampler2D accumulated;
-uniform float weight;
 uniform float exposure;
 out vec4 shown;
 
@@ -22,13 +20,15 @@ vec3 finite(vec3 color) {
 }
 
 void main() {
-  vec4 total = texelFetch(accumulated, ivec2(gl_FragCoord.xy), 0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 weight = weightsAt(pixel);
+  vec4 mean = share(even, pixel, weight.x) + share(odd, pixel, weight.y);
   // Curves need the colour of what covers the pixel, not that colour's share of it: both are set right again below.
-  vec3 color = total.a > 0.0 ? total.rgb / total.a : vec3(0.0);
+  vec3 color = mean.a > 0.0 ? mean.rgb / mean.a : vec3(0.0);
   color = finite(exposure * finite(color));
 #ifdef TONE_MAPPING_NEUTRAL
   color = toneMapNeutral(color);
 #endif
-  float alpha = min(total.a / weight, 1.0);
+  float alpha = min(mean.a, 1.0);
   shown = vec4(alpha * encodeSrgb(min(color, 1.0)), alpha);
 }

@@ -1,5 +1,5 @@
 import { expect, fixture, oneEvent, waitUntil } from '@open-wc/testing';
-import { type RayScene, RaySceneLoadEvent, type RaySceneProgressEvent } from '../../packages/ray-scene/src/index.ts';
+import { type RayScene, type RaySceneCompleteEvent, RaySceneLoadEvent } from '../../packages/ray-scene/src/index.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/renderer.ts';
 import { canvasIn, countEvents, middlePixel, partOf, sceneWith, someFrames } from './element-fixtures.ts';
 
@@ -13,13 +13,15 @@ describe('life of <ray-scene>', () => {
     Object.assign(element, { samples: 3, pixelRatio: 1, scene: { objects: [{ type: 'sphere' }] } });
     element.style.width = '60px';
     const load = oneEvent<RaySceneLoadEvent>(element, 'load');
-    const complete = oneEvent<RaySceneProgressEvent>(element, 'complete');
+    const complete = oneEvent<RaySceneCompleteEvent>(element, 'complete');
     const progress = countEvents(element, 'progress');
     host.append(element);
     document.body.append(host);
     expect(await load).to.be.instanceOf(RaySceneLoadEvent);
     expect((await load).scene).to.equal(element.scene);
-    expect(await complete).to.include({ samples: 3, total: 3, bubbles: false, composed: false });
+    expect(await complete).to.include({ samples: 3, total: 3, reason: 'samples', bubbles: false, composed: false });
+    expect((await complete).error).to.equal(element.stats?.error);
+    expect(element.stats?.error).to.be.within(0, 1);
     expect(progress.count).to.be.within(1, 3);
     expect(heard.map(({ count }) => count)).to.deep.equal([0, 0, 0]);
     host.remove();
@@ -38,6 +40,19 @@ describe('life of <ray-scene>', () => {
     partOf(element, 'ray-sphere').remove();
     await element.ready;
     expect(middlePixel(element)).to.deep.equal([0, 0, 0, 0]);
+  });
+
+  it('ends when the noise is low enough, or when the time is up', async () => {
+    const element = await sceneWith(BALL, 'max-error="0.1"');
+    element.samples = 2 ** 20;
+    const { reason, error } = await oneEvent<RaySceneCompleteEvent>(element, 'complete');
+    expect(reason).to.equal('error');
+    expect(error).to.be.within(0, 0.1);
+    const maxTime = (element.stats?.seconds ?? 0) + 0.05;
+    Object.assign(element, { maxError: null, maxTime });
+    const second = await oneEvent<RaySceneCompleteEvent>(element, 'complete');
+    expect(second.reason).to.equal('time');
+    expect(element.stats?.seconds).to.be.at.least(maxTime);
   });
 
   it('fits the pixels of the screen, and follows', async () => {

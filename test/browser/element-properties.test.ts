@@ -1,5 +1,6 @@
 import { expect } from '@open-wc/testing';
 import {
+  RaySceneCompleteEvent,
   RaySceneErrorEvent,
   type RaySceneIntrinsicElements,
   RaySceneProgressEvent,
@@ -85,8 +86,10 @@ describe('properties of scene elements', () => {
     );
     element.addEventListener('progress', ({ samples, total }) => told.push(`${samples} of ${total}`));
     element.dispatchEvent(new RaySceneErrorEvent(new Error('broken')));
+    element.addEventListener('complete', ({ reason, error }) => told.push(`${reason} at ${error}`));
     element.dispatchEvent(new RaySceneProgressEvent('progress', 1, 2));
-    expect(told).to.deep.equal(['broken', '1 of 2']);
+    element.dispatchEvent(new RaySceneCompleteEvent(2, 2, 'samples', 0.5));
+    expect(told).to.deep.equal(['broken', '1 of 2', 'samples at 0.5']);
   });
 });
 

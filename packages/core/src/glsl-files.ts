@@ -1,4 +1,5 @@
 /** The shader files that most scenes need, by their names under `shaders/`; for the others see `parts.ts`. */
+import accumulated from '../../../shaders/accumulated.glsl';
 import background from '../../../shaders/background.glsl';
 import camera from '../../../shaders/camera.glsl';
 import checker from '../../../shaders/checker.glsl';
@@ -15,6 +16,7 @@ import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
 
 export const glslFiles: { readonly [file: string]: string } = {
+  'accumulated.glsl': accumulated,
   'background.glsl': background,
   'camera.glsl': camera,
   'checker.glsl': checker,

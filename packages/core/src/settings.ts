@@ -20,6 +20,11 @@ export const settingsFields = {
     max: 2 ** 20,
     integer: true,
   }),
+  maxError: number('Noise below which the picture is complete, measured as `stats.error` is; none: not asked for.', {
+    above: 0,
+    max: 1,
+  }),
+  maxTime: number('Seconds after which the picture is complete; none: as long as it takes.', { above: 0, max: 1e6 }),
   frameBudget: number('Time that rendering may take of each frame, in milliseconds.', {
     default: 12,
     min: 1,
@@ -30,6 +35,11 @@ export const settingsFields = {
   toneMapping: choice('neutral: Khronos PBR Neutral; none: clipped. Both then encode sRGB.', ['neutral', 'none'], {
     default: 'neutral',
   }),
+  output: choice(
+    'What is shown; error: how noisy the picture is, dark 0.1 %, bright 100 %; samples: where there are most.',
+    ['beauty', 'error', 'samples'],
+    { default: 'beauty' },
+  ),
   seed: number('Start of the random numbers.', { default: 0, min: 0, max: 2 ** 32 - 1, integer: true }),
 } as const;
 

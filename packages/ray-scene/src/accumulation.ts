@@ -1,98 +1,136 @@
-/** The float target that the samples of one view are gathered in. How they are gathered is known here alone. */
+/** The float targets that the samples of one view are gathered in. How they are gathered is known here alone. */
+import { CELL_BITS, Cells, type Tile } from './cells.ts';
+import { FloatTarget } from './float-target.ts';
+import type { Program } from './program.ts';
 import type { Precision } from './render-device.ts';
 
+/** What `accumulated.glsl` includes. */
+export const accumulationFiles = { 'generated/cells.glsl': `const int CELL_BITS = ${CELL_BITS};\n` } as const;
+
 /**
- * In f32 samples are added up. In half float, where 2048 + 1 is 2048 and nothing exceeds 65504, the target holds the
- * running mean instead.
+ * Samples with even and with odd numbers are gathered apart: they are independent, so that the difference of their means
+ * tells the error of both. In f32 they are added up. In half float, where 2048 + 1 is 2048 and nothing exceeds 65504, a
+ * target holds the running mean instead.
  */
 export class Accumulation {
   readonly width: number;
   readonly height: number;
+  readonly cells: Cells;
   readonly #gl: WebGL2RenderingContext;
   readonly #precision: Precision;
-  readonly #texture: WebGLTexture;
-  readonly #framebuffer: WebGLFramebuffer;
-  #samples = 0;
+  readonly #halves: readonly [FloatTarget, FloatTarget];
+  readonly #weights: WebGLTexture;
+  /** Whether the texture of weights is that of the present counts. */
+  #weighed = false;
 
-  /** @throws {Error} when the target does not fit into the graphics memory. */
+  /** @throws {Error} when the targets do not fit into the graphics memory. */
   constructor(gl: WebGL2RenderingContext, precision: Precision, width: number, height: number) {
     this.#gl = gl;
     this.#precision = precision;
     this.width = width;
     this.height = height;
-    this.#texture = gl.createTexture();
-    this.#framebuffer = gl.createFramebuffer();
-    gl.bindTexture(gl.TEXTURE_2D, this.#texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, precision === 'float' ? gl.RGBA32F : gl.RGBA16F, width, height);
-    // The default filters want mipmaps and blend texels, which floats do not do.
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.#texture, 0);
-    const complete = gl.checkFramebufferStatus(gl.FRAMEBUFFER) === gl.FRAMEBUFFER_COMPLETE;
-    if (complete) return;
+    this.cells = new Cells(width, height);
+    this.#weights = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.#weights);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, this.cells.columns, this.cells.rows);
+    FloatTarget.useNearest(gl);
+    const even = new FloatTarget(gl, precision, width, height);
+    const odd = new FloatTarget(gl, precision, width, height);
+    this.#halves = [even, odd];
+    if (even.isComplete && odd.isComplete) return;
     this.dispose();
     throw new Error(`A picture of ${width} × ${height} pixels does not fit into the graphics memory`);
   }
 
-  /** How many samples each pixel has. */
+  /** How many samples each pixel has, at least. */
   get samples(): number {
-    return this.#samples;
-  }
-
-  /** What the contents of the texture are to be divided by. */
-  get weight(): number {
-    return this.#precision === 'float' ? this.#samples : 1;
+    return this.cells.least;
   }
 
   /** Begins anew. */
   clear(): void {
-    this.#samples = 0;
+    this.cells.clear();
+    this.#weighed = false;
   }
 
-  /** Adds the sample of every pixel that `draw` draws. */
-  add(draw: () => void): void {
+  /** Adds the sample that `draw` draws, of every pixel or only of those in a tile. Its number is the tile's count. */
+  add(draw: () => void, tile: Tile = this.cells.whole): void {
     const gl = this.#gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
-    gl.viewport(0, 0, this.width, this.height);
-    this.#blend();
+    const index = this.cells.countOf(tile);
+    (this.#halves[index & 1] as FloatTarget).bind();
+    this.#blend(index >> 1);
+    const isPart = tile.count < this.cells.whole.count;
+    if (isPart) {
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(...this.cells.rectangleOf(tile));
+    }
     draw();
-    this.#samples++;
+    if (isPart) gl.disable(gl.SCISSOR_TEST);
+    this.cells.add(tile);
+    this.#weighed = false;
   }
 
-  /** Makes the texture the one that shaders read from unit 0. */
-  bindTexture(): void {
-    this.#gl.activeTexture(this.#gl.TEXTURE0);
-    this.#gl.bindTexture(this.#gl.TEXTURE_2D, this.#texture);
-  }
-
-  /** The mean of the samples, RGBA, the top row first. Waits for the GPU. */
-  readMean(): Float32Array {
+  /** Gives the program in use what `accumulated.glsl` reads. */
+  bindTextures(program: Program): void {
     const gl = this.#gl;
-    const { width, height, weight } = this;
+    const [even, odd] = this.#halves;
+    const textures = { even: even.texture, odd: odd.texture, weights: this.#weights };
+    for (const [unit, [name, texture]] of Object.entries(textures).entries()) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(program.uniform(name), unit);
+    }
+    if (!this.#weighed) this.#weigh();
+  }
+
+  /** The mean of the samples, RGBA, the top row first; zeros where there are none. Waits for the GPU. */
+  readMean(): Float32Array {
+    const { width, height, cells } = this;
     const mean = new Float32Array(4 * width * height);
-    if (this.#samples === 0) return mean;
-    const pixels = new Float32Array(mean.length);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    const [even, odd] = this.#halves.map((half) => half.read()) as [Float32Array, Float32Array];
     for (let y = 0; y < height; y++) {
-      const row = pixels.subarray(4 * width * y, 4 * width * (y + 1));
-      mean.set(
-        row.map((value) => value / weight),
-        4 * width * (height - 1 - y),
-      );
+      for (let x = 0; x < width; x++) {
+        const count = cells.counts[(y >> CELL_BITS) * cells.columns + (x >> CELL_BITS)] as number;
+        const [a, b] = this.#factors(count);
+        const from = 4 * (width * y + x);
+        const to = 4 * (width * (height - 1 - y) + x);
+        for (let i = 0; i < 4 && a > 0; i++) {
+          // What the second half holds before its first sample is anything.
+          mean[to + i] = (a * (even[from + i] as number) + (b > 0 ? b * (odd[from + i] as number) : 0)) / count;
+        }
+      }
     }
     return mean;
   }
 
   dispose(): void {
-    this.#gl.deleteFramebuffer(this.#framebuffer);
-    this.#gl.deleteTexture(this.#texture);
+    for (const half of this.#halves) half.dispose();
+    this.#gl.deleteTexture(this.#weights);
   }
 
-  #blend(): void {
+  /** What the halves are to be multiplied by to be the sums of their samples, where there are `count` in both. */
+  #factors(count: number): readonly [number, number] {
+    const [even, odd] = [(count + 1) >> 1, count >> 1];
+    return this.#precision === 'half' ? [even, odd] : [Math.min(even, 1), Math.min(odd, 1)];
+  }
+
+  #weigh(): void {
     const gl = this.#gl;
-    if (this.#samples === 0) {
+    const { columns, rows, counts } = this.cells;
+    const texels = new Float32Array(4 * columns * rows);
+    for (const [i, count] of counts.entries()) {
+      if (count === 0) continue;
+      const [even, odd] = this.#factors(count);
+      texels.set([even / count, odd / count, ((count + 1) >> 1) / count, count], 4 * i);
+    }
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, columns, rows, gl.RGBA, gl.FLOAT, texels);
+    this.#weighed = true;
+  }
+
+  /** @param index number of the sample within its half. */
+  #blend(index: number): void {
+    const gl = this.#gl;
+    if (index === 0) {
       // The first sample replaces what was there before.
       gl.disable(gl.BLEND);
       return;
@@ -101,7 +139,7 @@ export class Accumulation {
     if (this.#precision === 'float') {
       gl.blendFunc(gl.ONE, gl.ONE);
     } else {
-      gl.blendColor(0, 0, 0, 1 / (this.#samples + 1));
+      gl.blendColor(0, 0, 0, 1 / (index + 1));
       gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
     }
   }

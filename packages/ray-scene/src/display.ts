@@ -1,6 +1,6 @@
 /** The last step to a picture: the mean of the samples, exposed, tone mapped and encoded. */
 import { assembleGlsl, glslFiles, type RenderSettings } from '@ray-scene/core';
-import type { Accumulation } from './accumulation.ts';
+import { type Accumulation, accumulationFiles } from './accumulation.ts';
 import type { Program, ProgramSource } from './program.ts';
 import type { ProgramCache } from './program-cache.ts';
 
@@ -34,9 +34,7 @@ export class Display {
   draw(accumulation: Accumulation, exposure: number): void {
     const gl = this.#gl;
     this.#program.use();
-    accumulation.bindTexture();
-    // The sampler keeps its initial value: texture unit 0.
-    gl.uniform1f(this.#program.uniform('weight'), accumulation.weight);
+    accumulation.bindTextures(this.#program);
     gl.uniform1f(this.#program.uniform('exposure'), Math.min(exposure, LARGEST_FLOAT));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
@@ -48,7 +46,11 @@ export class Display {
 
 function displaySource(toneMapping: ToneMapping): ProgramSource {
   const feature = featureOf[toneMapping];
-  const sources = { files: glslFiles, known: FEATURES, defined: new Set(feature ? [feature] : []) };
+  const sources = {
+    files: { ...glslFiles, ...accumulationFiles },
+    known: FEATURES,
+    defined: new Set(feature ? [feature] : []),
+  };
   const { text, lines } = assembleGlsl('display.frag.glsl', sources);
   return { vertex: assembleGlsl('fullscreen.vert.glsl', sources).text, fragment: text, lines };
 }

@@ -3,6 +3,7 @@ import type { RayScene } from './ray-scene.ts';
 import type { SceneElementTagNameMap } from './scene-elements.ts';
 
 export {
+  RaySceneCompleteEvent,
   RaySceneErrorEvent,
   type RaySceneEventMap,
   RaySceneLoadEvent,
@@ -10,6 +11,7 @@ export {
 } from './events.ts';
 export type { RaySceneIntrinsicElements } from './jsx.ts';
 export { RayScene } from './ray-scene.ts';
+export type { RenderStats, StopReason } from './renderer.ts';
 export { SceneElement, type SceneElementTagNameMap, sceneElements } from './scene-elements.ts';
 
 declare global {

@@ -1,5 +1,6 @@
 /** What `<ray-scene>` tells. As on `<img>`, none of these events bubbles or leaves a shadow tree. */
 import { type Problem, type Scene, SceneError } from '@ray-scene/core';
+import type { StopReason } from './renderer.ts';
 
 /** The first picture of a scene is shown. Edits of that scene give no further `load`. */
 export class RaySceneLoadEvent extends Event {
@@ -40,11 +41,25 @@ export class RaySceneProgressEvent extends Event {
   }
 }
 
+/** The picture is complete. */
+export class RaySceneCompleteEvent extends RaySceneProgressEvent {
+  /** The rule that came first: all samples, noise as low as asked for, or the time was up. */
+  readonly reason: StopReason;
+  /** How noisy it is, as `stats.error`; undefined where that cannot be known, as of a single sample. */
+  readonly error: number | undefined;
+
+  constructor(samples: number, total: number, reason: StopReason, error: number | undefined) {
+    super('complete', samples, total);
+    this.reason = reason;
+    this.error = error;
+  }
+}
+
 interface OwnEvents {
   load: RaySceneLoadEvent;
   error: RaySceneErrorEvent;
   progress: RaySceneProgressEvent;
-  complete: RaySceneProgressEvent;
+  complete: RaySceneCompleteEvent;
 }
 
 /** All events of `<ray-scene>` by name. */

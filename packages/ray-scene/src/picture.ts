@@ -1,12 +1,16 @@
 import type { RenderSettings, ResolvedCamera, Scene } from '@ray-scene/core';
-import { Renderer, type RenderStats } from './renderer.ts';
+import { Renderer, type RenderStats, type StopReason } from './renderer.ts';
 
 /** What a turn of drawing has brought. */
 export interface Progress {
   readonly samples: number;
   readonly added: boolean;
-  /** Whether it wants more samples. */
+  /** Whether it wants another turn: more samples, or a last look at how noisy they are. */
   readonly more: boolean;
+  /** What has ended the picture. */
+  readonly stopped: StopReason | undefined;
+  /** How noisy it is, as far as is known. */
+  readonly error: number | undefined;
 }
 
 /** The picture on a canvas: tells its renderer what has changed, and nothing else. */
@@ -50,9 +54,9 @@ export class Picture {
   draw(camera: ResolvedCamera | undefined, budgetMs: number): Progress {
     this.#renderer.setCamera(camera);
     const before = this.#renderer.samples;
-    const more = this.#renderer.draw(budgetMs);
-    const { samples } = this.#renderer;
-    return { samples, added: samples !== before, more };
+    const more = this.#renderer.draw(budgetMs) || this.#renderer.isMeasuring;
+    const { samples, stopped, stats } = this.#renderer;
+    return { samples, added: samples !== before, more, stopped, error: stats.error };
   }
 
   readRadiance(): Float32Array {

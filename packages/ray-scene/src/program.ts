@@ -46,6 +46,13 @@ export class Program {
     gl.linkProgram(this.#program);
   }
 
+  /** Whether using it waits for nothing. A driver that does not tell whether it is done is taken to be. */
+  get isReady(): boolean {
+    const parallel = this.#linked ? null : this.#gl.getExtension('KHR_parallel_shader_compile');
+    // A lost context answers null, and no program is worth waiting for.
+    return !parallel || this.#gl.getProgramParameter(this.#program, parallel.COMPLETION_STATUS_KHR) !== false;
+  }
+
   /**
    * Makes it the program that draws. The first use waits for the driver.
    * @throws {ShaderError} when it does not compile.

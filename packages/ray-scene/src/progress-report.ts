@@ -1,5 +1,5 @@
 import type { Scene } from '@ray-scene/core';
-import { RaySceneLoadEvent, RaySceneProgressEvent } from './events.ts';
+import { RaySceneCompleteEvent, RaySceneLoadEvent, RaySceneProgressEvent } from './events.ts';
 import { Milestone } from './milestone.ts';
 import type { Progress } from './picture.ts';
 
@@ -9,6 +9,8 @@ export class ProgressReport {
   readonly complete = new Milestone();
   readonly #host: EventTarget;
   #loads = true;
+  /** Whether there are samples of which nobody was told that they are all. */
+  #grows = false;
 
   constructor(host: EventTarget) {
     this.#host = host;
@@ -20,19 +22,21 @@ export class ProgressReport {
   }
 
   /** @param current the scene as it is now, or undefined if the picture is still of an earlier one. */
-  tell({ samples, added, more }: Progress, total: number, current: Scene | undefined): void {
+  tell({ samples, added, more, stopped, error }: Progress, total: number, current: Scene | undefined): void {
     if (current) {
       this.ready.resolve();
       if (this.#loads) this.#host.dispatchEvent(new RaySceneLoadEvent(current));
       this.#loads = false;
     }
     if (added) this.#host.dispatchEvent(new RaySceneProgressEvent('progress', samples, total));
-    if (more) {
+    this.#grows ||= added;
+    if (more || !stopped) {
       this.complete.renew();
       return;
     }
     if (current) this.complete.resolve();
-    if (added) this.#host.dispatchEvent(new RaySceneProgressEvent('complete', samples, total));
+    if (this.#grows) this.#host.dispatchEvent(new RaySceneCompleteEvent(samples, total, stopped, error));
+    this.#grows = false;
   }
 
   fail(error: Error): void {

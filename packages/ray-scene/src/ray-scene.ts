@@ -272,8 +272,8 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     if (wanted) this.camera = wanted;
     const turns = !paused && this.#orbit.turn(seconds);
     const progress = picture.draw(this.#orbit.override, paused ? 0 : settings.frameBudget / sharers);
-    // The context is lost, or the scene cannot be drawn.
-    if (progress.samples === 0) return false;
+    // The program is being compiled, the context is lost, or the scene cannot be drawn.
+    if (progress.samples === 0) return progress.more;
     if (this.#failure) {
       this.#failure = undefined;
       this.#tell();

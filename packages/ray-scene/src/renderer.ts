@@ -1,43 +1,34 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
-import {
-  cameraFrame,
-  loadPaths,
-  loadShaderParts,
-  loadShapes,
-  pixelSample,
-  type RenderSettings,
-  type Requirements,
-  type ResolvedCamera,
-  requirementsKey,
-  type Scene,
-} from '@ray-scene/core';
-import { Accumulation } from './accumulation.ts';
+import { loadShapes, type RenderSettings, type ResolvedCamera, type Scene } from '@ray-scene/core';
+import type { Accumulation } from './accumulation.ts';
 import { Display } from './display.ts';
+import type { NoiseWatch } from './noise-watch.ts';
+import type { Quarantine } from './quarantine.ts';
 import { type DeviceView, type Precision, RenderDevice } from './render-device.ts';
-import { Tracer } from './tracer.ts';
+import { Sampling } from './sampling.ts';
+import type { StopReason } from './stop-rules.ts';
 import { View } from './view.ts';
 
 export { ShaderError } from './program.ts';
+export { QuarantineError } from './quarantine.ts';
 export { type Precision, RenderDevice, type RenderDeviceOptions, WebGLUnavailableError } from './render-device.ts';
+export type { StopReason } from './stop-rules.ts';
 
-/** Two losses within this time of each other, both during its work, and a scene is not tried a third time. */
-const SUSPICION_MS = 60_000;
-
-/** A scene that the GPU gave up on twice. It is not drawn any more, for the sake of the others on the page. */
-export class QuarantineError extends Error {
-  override readonly name = 'QuarantineError';
-
-  constructor() {
-    super(
-      'Twice the graphics card gave up while it drew this scene, so it is not tried again. ' +
-        'A smaller picture, fewer objects or fewer bounces may do.',
-    );
-  }
-}
+/** Of the time between two draws no more counts as time spent on a picture: nobody asked for one meanwhile. */
+const LONGEST_PAUSE_MS = 1000;
 
 export interface RenderStats {
-  /** Samples that each pixel has. */
+  /** Samples that each pixel has, at least. */
   readonly samples: number;
+  /**
+   * How noisy the picture is, as last measured: the standard error of a channel, relative; the root of the mean of
+   * variance / (mean² + 0.01), after exposure. Undefined: not known yet.
+   */
+  readonly error: number | undefined;
+  /** Rays that were sent through pixels, each with all that follows from it. */
+  readonly rays: number;
+  /** Time spent on the picture so far. */
+  readonly seconds: number;
   /** Programs that this renderer had compiled, and how long it waited for them. */
   readonly compiles: number;
   readonly compileMs: number;
@@ -59,28 +50,28 @@ export class Renderer {
   readonly #device: RenderDevice;
   readonly #context: CanvasRenderingContext2D;
   readonly #view = new View();
+  readonly #sampling: Sampling;
   readonly #listener: DeviceView = {
     contextLost: (suspect) => this.#contextLost(suspect),
     contextRestored: () => this.onrestored(),
   };
+  /** Null: not to be had. */
+  #watch: NoiseWatch | null | undefined;
+  #loadingWatch: Promise<void> | undefined;
+  /** Made when the context was lost once while the GPU was at this scene. */
+  #quarantine: Quarantine | undefined;
   #hasScene = false;
   /** What was asked for last. */
   #next: Scene | undefined;
   /** The parts of its shader that the scene waits for. */
   #loading: Promise<unknown> | undefined;
-  #tracer: Tracer | undefined;
   #display: Display | undefined;
-  #accumulation: Accumulation | undefined;
-  /** Which revision of the view the samples are of. */
-  #drawn = -1;
+  /** Which revision of the view the time, the end and the picture are of. */
+  #begun = -1;
   #presented = false;
-  /** Replaced when another program or size makes earlier measurements worthless. */
-  #pace = { msPerSample: 0 };
-  #compiles = 0;
-  #compileMs = 0;
-  #lastLoss = Number.NEGATIVE_INFINITY;
-  /** The key of a scene that must not be drawn any more. */
-  #quarantined: string | undefined;
+  #stopped: StopReason | undefined;
+  #milliseconds = 0;
+  #lastDraw = Number.NEGATIVE_INFINITY;
   /** The revision of the view that could not be drawn, and why. */
   #failed = -1;
   #failure = '';
@@ -94,6 +85,7 @@ export class Renderer {
     if (!context) throw new TypeError('The canvas has a context other than 2D already');
     this.#context = context;
     this.#device = device;
+    this.#sampling = new Sampling(device, this.#view);
     device.add(this.#listener);
   }
 
@@ -115,6 +107,7 @@ export class Renderer {
   setSettings(settings: RenderSettings): void {
     this.#view.settings = settings;
     this.#presented = false;
+    this.#stopped = undefined;
   }
 
   /** Replaces the scene's camera, as controls do, until it is set to undefined. */
@@ -134,7 +127,8 @@ export class Renderer {
   }
 
   /**
-   * Adds samples to the picture for about as long as the budget lasts, at least one unless it has all, and shows it.
+   * Adds samples to the picture for about as long as the budget lasts, at least some pixels' unless it is complete, and
+   * shows it. Nothing is added as long as the driver compiles, nor, without any budget, to a picture of all pixels.
    * Returns whether it wants more. Never throws: see `onerror`.
    */
   draw(budgetMs: number): boolean {
@@ -152,17 +146,34 @@ export class Renderer {
 
   /** Samples that each pixel of the present scene has. */
   get samples(): number {
-    return this.#drawn === this.#view.revision ? (this.#accumulation?.samples ?? 0) : 0;
+    return this.#sampling.accumulation?.samples ?? 0;
+  }
+
+  /** The rule that has ended the picture. */
+  get stopped(): StopReason | undefined {
+    return this.#begun === this.#view.revision ? this.#stopped : undefined;
+  }
+
+  /** Whether it will soon be known how noisy a complete picture is. Further calls of `draw` see to it. */
+  get isMeasuring(): boolean {
+    const { accumulation } = this.#sampling;
+    if (!accumulation || accumulation.samples < 2 || !this.stopped || this.#watch === null) return false;
+    return this.stopped !== 'error' && this.#watch?.isBehind(accumulation, this.#view.settings) !== false;
   }
 
   get stats(): RenderStats {
+    const { accumulation, compiles, compileMs, pace } = this.#sampling;
+    const { width, height } = this.#view;
     return {
       samples: this.samples,
-      compiles: this.#compiles,
-      compileMs: this.#compileMs,
-      msPerSample: this.#pace.msPerSample,
-      width: this.#view.width,
-      height: this.#view.height,
+      error: accumulation && this.#watch?.noise?.error,
+      rays: accumulation?.cells.rays ?? 0,
+      seconds: accumulation ? this.#milliseconds / 1000 : 0,
+      compiles,
+      compileMs,
+      msPerSample: pace.msFor(width * height),
+      width,
+      height,
       precision: this.#device.precision,
     };
   }
@@ -170,9 +181,7 @@ export class Renderer {
   /** The mean of the samples: linear radiance RGBA premultiplied, the top row first. Zeros before the first draw. */
   readRadiance(): Float32Array {
     const { width, height } = this.#view;
-    return this.samples > 0 && this.#accumulation
-      ? this.#accumulation.readMean()
-      : new Float32Array(4 * width * height);
+    return this.#sampling.accumulation?.readMean() ?? new Float32Array(4 * width * height);
   }
 
   /** Frees what it has on the GPU; the canvas keeps its picture. */
@@ -194,31 +203,34 @@ export class Renderer {
   }
 
   #advance(budgetMs: number): boolean {
-    const prepared = this.#prepare();
-    if (!prepared) return false;
-    const { tracer, accumulation } = prepared;
-    const { samples, seed } = this.#view.settings;
-    const { camera } = this.#view.resolved;
-    const { width, height } = accumulation;
-    const pace = this.#pace;
     const start = performance.now();
-    // Issuing work takes no time where the GPU has a queue: there the estimate keeps to the budget, else the clock does.
-    const most = pace.msPerSample > 0 ? Math.floor(budgetMs / pace.msPerSample) : 1;
-    let added = 0;
-    while (accumulation.samples < samples && (added < 1 || (added < most && performance.now() - start < budgetMs))) {
-      const jitter = pixelSample(accumulation.samples, seed);
-      const sample = { sample: accumulation.samples, seed };
-      accumulation.add(() => tracer.draw(cameraFrame(camera, width, height, jitter), sample));
-      added++;
+    const loading = this.#sampling.loadParts();
+    if (loading) {
+      this.#drawAfter(loading);
+      return false;
     }
-    if (added > 0 || !this.#presented) this.#present(accumulation);
-    if (added > 0) {
+    const accumulation = this.#sampling.prepare();
+    // The last good picture stays until there is a program for another.
+    if (!accumulation) return true;
+    this.#begin(start);
+    const { settings } = this.#view;
+    this.#stopped ??= this.#reasonToStop(accumulation);
+    const adds = !this.#stopped && (budgetMs > 0 || accumulation.samples === 0);
+    const pixels = adds ? this.#sampling.add(budgetMs || settings.frameBudget, settings.samples) : 0;
+    this.#spend(start);
+    this.#stopped ??= this.#reasonToStop(accumulation);
+    if (accumulation.samples > 1 || settings.maxTime || settings.output !== 'beauty') this.#loadWatch();
+    const collect = this.#watch?.begin(accumulation, settings, this.#stopped !== undefined);
+    if (pixels > 0 || collect) {
+      const { pace } = this.#sampling;
       this.#device.clock.endBatch(this.#listener, start, (ms) => {
-        const measured = ms / added;
-        pace.msPerSample = pace.msPerSample > 0 ? (pace.msPerSample + measured) / 2 : measured;
+        if (pixels > 0) pace.learn(ms, pixels);
+        collect?.();
+        if (collect && settings.output === 'error') this.#presented = false;
       });
     }
-    return accumulation.samples < samples;
+    if (accumulation.samples > 0 && (pixels > 0 || !this.#presented)) this.#present(accumulation);
+    return !this.#stopped;
   }
 
   #drawAfter(loading: Promise<unknown>): void {
@@ -229,55 +241,53 @@ export class Renderer {
       .then(this.onrestored, (error: Error) => this.#fail(error));
   }
 
-  /** Brings what is on the GPU up to the view; undefined: that waits for parts of the shader. */
-  #prepare(): { readonly tracer: Tracer; readonly accumulation: Accumulation } | undefined {
-    const { revision, width, height } = this.#view;
-    if (this.#tracer && this.#accumulation && this.#drawn === revision) {
-      return { tracer: this.#tracer, accumulation: this.#accumulation };
-    }
-    const { resolved, settings } = this.#view;
-    const loading = loadPaths(resolved, settings) ?? loadShaderParts(this.#view.required, this.#device.shaderOptions);
-    if (loading) {
-      this.#drawAfter(loading);
-      return undefined;
-    }
-    const tracer = this.#tracerFor(this.#view.required);
-    tracer.setScene(this.#view.resolved);
-    const accumulation = this.#accumulationOf(width, height);
-    accumulation.clear();
-    this.#drawn = revision;
-    return { tracer, accumulation };
+  /** A new picture, if the view is another one. */
+  #begin(now: number): void {
+    const { revision } = this.#view;
+    if (this.#begun === revision) return;
+    this.#begun = revision;
+    this.#stopped = undefined;
+    this.#milliseconds = 0;
+    this.#lastDraw = now;
+    this.#watch?.restart();
   }
 
-  #tracerFor(required: Requirements): Tracer {
-    if (this.#tracer?.key === requirementsKey(required)) return this.#tracer;
-    const { gl, programs, shaderOptions } = this.#device;
-    const start = performance.now();
-    const compiledBefore = programs.compileCount;
-    const tracer = new Tracer(gl, programs, required, shaderOptions);
-    this.#tracer?.dispose();
-    this.#tracer = tracer;
-    this.#pace = { msPerSample: 0 };
-    this.#compiles += programs.compileCount - compiledBefore;
-    tracer.compile();
-    this.#compileMs += performance.now() - start;
-    return tracer;
+  /** Counts the time since the last draw, and that of this one. */
+  #spend(start: number): void {
+    const now = performance.now();
+    this.#milliseconds += Math.min(start - this.#lastDraw, LONGEST_PAUSE_MS) + now - start;
+    this.#lastDraw = now;
   }
 
-  #accumulationOf(width: number, height: number): Accumulation {
-    if (this.#accumulation?.width === width && this.#accumulation.height === height) return this.#accumulation;
-    this.#accumulation?.dispose();
-    this.#accumulation = undefined;
-    this.#accumulation = new Accumulation(this.#device.gl, this.#device.precision, width, height);
-    this.#pace = { msPerSample: 0 };
-    return this.#accumulation;
+  #reasonToStop(accumulation: Accumulation): StopReason | undefined {
+    const { settings } = this.#view;
+    if (accumulation.samples >= settings.samples) return 'samples';
+    return this.#watch?.reasonToStop(accumulation, settings, this.#milliseconds / 1000);
+  }
+
+  #loadWatch(): void {
+    this.#loadingWatch ??= import('./noise-watch.ts').then(
+      ({ NoiseWatch }) => {
+        this.#watch = new NoiseWatch(this.#device);
+      },
+      (error: Error) => {
+        // Without it samples are still a rule.
+        this.#watch = null;
+        reportError(error);
+      },
+    );
   }
 
   #present(accumulation: Accumulation): void {
-    const { exposure, toneMapping } = this.#view.settings;
-    const display = this.#displayFor(toneMapping);
+    const { exposure, toneMapping, output } = this.#view.settings;
     const { width, height } = accumulation;
-    this.#device.present(this.#context, width, height, () => display.draw(accumulation, exposure));
+    let draw = (): void => this.#displayFor(toneMapping).draw(accumulation, exposure);
+    if (output !== 'beauty') {
+      const watch = this.#watch;
+      if (!watch) return;
+      draw = () => watch.draw(output, accumulation);
+    }
+    this.#device.present(this.#context, width, height, draw);
     this.#presented = true;
   }
 
@@ -297,30 +307,30 @@ export class Renderer {
   }
 
   #contextLost(suspect: boolean): void {
-    this.#tracer = this.#display = this.#accumulation = undefined;
-    if (!suspect) return;
-    const now = performance.now();
-    const again = now - this.#lastLoss < SUSPICION_MS;
-    this.#lastLoss = now;
-    if (!again) return;
-    this.#quarantined = this.#view.key;
-    this.onerror(new QuarantineError());
+    this.#sampling.forget();
+    this.#watch?.forget();
+    this.#display = undefined;
+    this.#begun = -1;
+    if (suspect) this.#suspect(performance.now()).catch(reportError);
   }
 
-  /** Whether the scene is the one that was sent into quarantine. Another one starts with a clean slate. */
+  async #suspect(now: number): Promise<void> {
+    const { Quarantine, QuarantineError } = await import('./quarantine.ts');
+    this.#quarantine ??= new Quarantine();
+    if (this.#quarantine.suspect(this.#view.key, now)) this.onerror(new QuarantineError());
+  }
+
   #isQuarantined(): boolean {
-    if (this.#quarantined === undefined) return false;
-    if (this.#quarantined === this.#view.key) return true;
-    this.#quarantined = undefined;
-    this.#lastLoss = Number.NEGATIVE_INFINITY;
+    if (!this.#quarantine?.isOn) return false;
+    if (!this.#quarantine.lets(this.#view.key)) return true;
     this.#view.forget();
     return false;
   }
 
   #release(): void {
-    this.#tracer?.dispose();
+    this.#sampling.release();
+    this.#watch?.release();
     this.#display?.dispose();
-    this.#accumulation?.dispose();
-    this.#tracer = this.#display = this.#accumulation = undefined;
+    this.#display = undefined;
   }
 }

@@ -37,6 +37,11 @@ export class Tracer {
     this.#program = programs.acquire(this.key, shader);
   }
 
+  /** Whether the driver is done with the program, as far as it tells. */
+  get isReady(): boolean {
+    return this.#program.isReady;
+  }
+
   /** Waits until the program is compiled. @throws {ShaderError} when it does not compile. */
   compile(): void {
     this.#program.use();

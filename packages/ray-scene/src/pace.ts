@@ -1,0 +1,32 @@
+/** How fast samples come, and so how many pixels fit into a time. */
+
+/** The first pixels, of which nobody knows how long they take: few enough even for a slow GPU. */
+const FIRST_PIXELS = 2 ** 16;
+
+export class Pace {
+  #msPerPixel = 0;
+
+  get isKnown(): boolean {
+    return this.#msPerPixel > 0;
+  }
+
+  /** Milliseconds for so many pixels; 0: not known yet. */
+  msFor(pixels: number): number {
+    return this.#msPerPixel * pixels;
+  }
+
+  /** How many pixels are done in that time, as far as is known. */
+  pixelsIn(ms: number): number {
+    return this.isKnown ? ms / this.#msPerPixel : FIRST_PIXELS;
+  }
+
+  /**
+   * Takes a measurement. It may hold the time that a driver took for the program, or that nobody looked: so a faster one is
+   * believed at once, a slower one by half.
+   */
+  learn(ms: number, pixels: number): void {
+    const measured = ms / pixels;
+    const before = this.#msPerPixel || measured;
+    this.#msPerPixel = Math.min(measured, (before + measured) / 2);
+  }
+}
