@@ -83,8 +83,8 @@ async function compare() {
     return;
   }
   if (name !== select.value) return;
-  const { samples, bounces, seed } = scene;
-  const settings = { width: SIZE, height: SIZE, samples, bounces, seed };
+  const { integrator, samples, bounces, seed } = scene;
+  const settings = { width: SIZE, height: SIZE, integrator, samples, bounces, seed };
   worker = newWorker();
   worker.addEventListener('message', ({ data }) => {
     comparison = data;

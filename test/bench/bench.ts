@@ -6,7 +6,7 @@
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { parse } from 'node:path';
 import { parseArgs } from 'node:util';
-import { parseSettings } from '@ray-scene/core';
+import { parseSettings, type RenderSettings } from '@ray-scene/core';
 import { type Browser, ENGINES, findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
 import { startBrowser } from './browser-pages.ts';
@@ -16,8 +16,10 @@ import { printReport } from './report.ts';
 
 const SCENES = 'examples/scenes';
 
-/** The page of the classic asks for as many as the program that it is compared with has. */
-const BOUNCES: { readonly [scene: string]: number } = { classic: 10 };
+/** The page of the classic asks for what the program that it is compared with does. */
+const SETTINGS: { readonly [scene: string]: Partial<RenderSettings> } = {
+  classic: { integrator: 'direct', bounces: 10 },
+};
 
 const QUICK: Plan = { coldStarts: 3, rounds: 9, turnMs: 200 };
 const THOROUGH: Plan = { coldStarts: 9, rounds: 31, turnMs: 400 };
@@ -44,10 +46,15 @@ function scenesToBench(): readonly SceneToBench[] {
     return {
       name,
       scene: readFileSync(`${SCENES}/${name}.json`, 'utf8'),
-      bounces: BOUNCES[name] ?? parseSettings().bounces,
+      ...tracing(name),
       ...(existsSync(floor) ? { floor: readFileSync(floor, 'utf8') } : {}),
     };
   });
+}
+
+function tracing(name: string): Pick<RenderSettings, 'integrator' | 'bounces'> {
+  const { integrator, bounces } = parseSettings(SETTINGS[name]);
+  return { integrator, bounces };
 }
 
 async function wantedBrowser(): Promise<Browser> {

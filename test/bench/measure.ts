@@ -13,6 +13,7 @@ export interface SceneToBench {
   readonly name: string;
   /** JSON text. */
   readonly scene: string;
+  readonly integrator: 'path' | 'direct';
   readonly bounces: number;
   /** Source of a shader that was written by hand for this scene. */
   readonly floor?: string;
@@ -51,6 +52,7 @@ interface Samples extends Pace {
 }
 
 export interface Measured extends ColdStart, Samples {
+  readonly integrator: 'path' | 'direct';
   readonly bounces: number;
 }
 
@@ -66,15 +68,20 @@ export async function measure(
   const measured: { [scene: string]: Measured } = {};
   for (const [i, scene] of scenes.entries()) {
     const samples = await measureSamples(await browser.open(), scene, plan);
-    measured[scene.name] = { bounces: scene.bounces, ...(coldStarts[i] as ColdStart), ...samples };
+    measured[scene.name] = {
+      integrator: scene.integrator,
+      bounces: scene.bounces,
+      ...(coldStarts[i] as ColdStart),
+      ...samples,
+    };
   }
   await browser.close();
   return measured;
 }
 
 /** A scene as the generated shader draws it and, if there is one, its floor. */
-function subjectsOf({ scene, bounces, floor }: SceneToBench, size = SIZE): readonly Subject[] {
-  const subject = { scene, bounces, size };
+function subjectsOf({ scene, integrator, bounces, floor }: SceneToBench, size = SIZE): readonly Subject[] {
+  const subject = { scene, integrator, bounces, size };
   return floor ? [subject, { ...subject, floor }] : [subject];
 }
 

@@ -21,6 +21,7 @@ import { FloorTracer } from './floor-tracer.ts';
 export interface Subject {
   /** JSON text of the scene. */
   readonly scene: string;
+  readonly integrator: 'path' | 'direct';
   readonly bounces: number;
   /** In pixels; the picture is square. */
   readonly size: number;

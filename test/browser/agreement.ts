@@ -16,7 +16,9 @@ export interface Agreement {
 
 export type PictureSettings = Partial<RenderSettings> & { readonly width: number; readonly height: number };
 
-export function agreement(scene: Scene, settings: PictureSettings): Agreement {
+/** By the integrator `direct`, unless the settings name another. */
+export function agreement(scene: Scene, given: PictureSettings): Agreement {
+  const settings = { integrator: 'direct', ...given } as const;
   const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
   const excluded = illConditioned(scene, settings, LIMIT);
   const judged = [...difference].filter((_, pixel) => !excluded[pixel]);

@@ -61,7 +61,7 @@ describe('compilation', () => {
       throw error;
     };
     renderer.resize(2, 2);
-    renderer.setSettings(parseSettings({ samples: 1 }));
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 1 }));
   });
   afterEach(() => {
     renderer.dispose();
@@ -106,7 +106,7 @@ describe('compilation', () => {
       ['none', 2],
       ['neutral', 3],
     ] as const) {
-      renderer.setSettings(parseSettings({ samples: 1, toneMapping, exposure }));
+      renderer.setSettings(parseSettings({ integrator: 'direct', samples: 1, toneMapping, exposure }));
       renderer.draw(1);
     }
     expect(device.compileCount).to.equal(before + 1);

@@ -37,7 +37,7 @@ describe('loss of the context', () => {
     renderer.onerror = (error) => errors.push(error);
     renderer.onrestored = () => restored++;
     renderer.resize(8, 8);
-    renderer.setSettings(parseSettings({ samples: 3 }));
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 3 }));
     renderer.setScene(ball);
     return { renderer, errors, restored: () => restored };
   }

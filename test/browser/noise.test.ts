@@ -136,7 +136,7 @@ describe('the end of a picture', () => {
 
   /** Draws, as a page does, until nothing more is to be known. */
   async function complete(settings: Partial<RenderSettings>): Promise<void> {
-    renderer.setSettings(parseSettings(settings));
+    renderer.setSettings(parseSettings({ integrator: 'direct', ...settings }));
     renderer.setScene(scene);
     while (renderer.draw(2) || renderer.isMeasuring) await nextTask();
   }
@@ -176,7 +176,7 @@ describe('the end of a picture', () => {
 
   it('is put off by other settings, and comes again for another view', async () => {
     await complete({ samples: 4 });
-    renderer.setSettings(parseSettings({ samples: 8 }));
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 8 }));
     expect(renderer.stopped).to.equal(undefined);
     await complete({ samples: 8 });
     expect([renderer.stopped, renderer.samples]).to.deep.equal(['samples', 8]);
@@ -188,7 +188,7 @@ describe('the end of a picture', () => {
   it('measures anew when the exposure changes', async () => {
     await complete({ samples: 16, exposure: 0.01 });
     const dark = renderer.stats.error as number;
-    renderer.setSettings(parseSettings({ samples: 16, exposure: 1 }));
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 16, exposure: 1 }));
     while (renderer.draw(2) || renderer.isMeasuring) await nextTask();
     expect(renderer.stats.samples).to.equal(16);
     expect(renderer.stats.error).to.be.greaterThan(dark);

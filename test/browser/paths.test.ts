@@ -1,26 +1,18 @@
 // The integrator `path` on the GPU against its f64 twin, path by path: both use the same random numbers.
 import { expect } from '@open-wc/testing';
 import { parseScene, type Scene } from '@ray-scene/core';
-import { illConditioned, relativeDifference, renderReference } from '@ray-scene/core/reference';
-import { drawn } from './drawn.ts';
+import { agreement } from './agreement.ts';
 
 const SIZE = 64;
-/** Relative to the brightest channel of the pixel. */
-const LIMIT = 1e-3;
 
 function agree(what: string, scene: Scene, integrator: 'path' | 'direct'): void {
   const settings = { width: SIZE, height: SIZE, samples: 1, bounces: 4, integrator };
-  const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
-  const excluded = illConditioned(scene, settings, LIMIT);
-  const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
-  const off = judged.filter((value) => !(value <= LIMIT)).length / judged.length;
-  const left = 1 - judged.length / difference.length;
-  const median = judged.sort((a, b) => a - b)[judged.length >> 1] ?? 0;
+  const { median, off, excluded } = agreement(scene, settings);
   const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
-  console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(left)}`);
+  console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(excluded)}`);
   expect(median, 'median').to.be.below(1e-5);
-  expect(off, `share of pixels off by more than ${LIMIT}`).to.be.below(5e-3);
-  expect(left, 'share of ill-conditioned pixels').to.be.below(0.1);
+  expect(off, 'share of pixels off by more than 1e-3').to.be.below(5e-3);
+  expect(excluded, 'share of ill-conditioned pixels').to.be.below(0.03);
 }
 
 describe('paths on the GPU against the reference', function () {

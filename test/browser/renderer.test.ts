@@ -17,7 +17,7 @@ const ballOnPlane = parseScene({
   lights: [light],
 });
 
-const settings = parseSettings({ samples: 4 });
+const settings = parseSettings({ integrator: 'direct', samples: 4 });
 
 /** Draws until the picture is complete. */
 function complete(renderer: Renderer): void {
@@ -67,7 +67,7 @@ describe('Renderer', () => {
     expect(renderer.samples).to.equal(4);
     expect(renderer.draw(10)).to.equal(false);
     expect(renderer.samples).to.equal(4);
-    renderer.setSettings(parseSettings({ samples: 6 }));
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 6 }));
     expect(renderer.samples).to.equal(4);
     complete(renderer);
     expect(renderer.samples).to.equal(6);
@@ -107,7 +107,7 @@ describe('Renderer', () => {
     complete(renderer);
     const radiance = renderer.readRadiance();
     expect(pixels(canvas).some((value, i) => i % 4 < 3 && value > 0)).to.equal(true);
-    renderer.setSettings(parseSettings({ samples: 4, exposure: 0 }));
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 4, exposure: 0 }));
     expect(renderer.draw(10)).to.equal(false);
     expect(renderer.readRadiance()).to.deep.equal(radiance);
     expect(pixels(canvas).some((value, i) => i % 4 < 3 && value > 0)).to.equal(false);
@@ -244,7 +244,7 @@ describe('Renderer', () => {
     const many = canvases.map((canvas) => new Renderer(canvas));
     for (const renderer of many) {
       renderer.resize(6, 6);
-      renderer.setSettings(parseSettings({ samples: 2 }));
+      renderer.setSettings(parseSettings({ integrator: 'direct', samples: 2 }));
       renderer.setScene(ball);
       complete(renderer);
     }

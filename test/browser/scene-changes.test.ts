@@ -20,7 +20,7 @@ describe('a scene after another', function () {
         renderer.onerror = (error) => {
           throw new Error(`${first}, ${second}: ${error.message}`);
         };
-        renderer.setSettings(parseSettings({ samples: 2 }));
+        renderer.setSettings(parseSettings({ integrator: 'direct', samples: 2 }));
         renderer.resize(size.width, size.height);
         for (const name of [first, second]) {
           renderer.setScene(await sceneFile(name));

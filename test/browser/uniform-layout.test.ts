@@ -74,7 +74,9 @@ describe('uniform blocks', () => {
   for (const [name, scene] of Object.entries(scenes)) {
     it(`lie where the layout says: ${name}`, () => {
       const { gl } = device;
-      const shader = generateShader(requirements(resolveScene(parseScene(scene)), parseSettings()));
+      const shader = generateShader(
+        requirements(resolveScene(parseScene(scene)), parseSettings({ integrator: 'direct' })),
+      );
       const program = new Program(gl, shader);
       program.use();
       const handle = gl.getParameter(gl.CURRENT_PROGRAM) as WebGLProgram;
@@ -94,7 +96,7 @@ describe('uniform blocks', () => {
     it(`say the same when they come as varyings: ${name}`, () => {
       const { gl, precision } = device;
       const resolved = resolveScene(parseScene(scene));
-      const required = requirements(resolved, parseSettings());
+      const required = requirements(resolved, parseSettings({ integrator: 'direct' }));
       const pictures = [0, gl.getParameter(gl.MAX_VARYING_VECTORS)].map((varyings) => {
         const programs = new ProgramCache(gl);
         const tracer = new Tracer(gl, programs, required, { varyings });

@@ -132,7 +132,7 @@ test('a scene scaled by 2^k, with its intensities, gives the same bits', () => {
           { type: 'plane', point: [0, -s, 0], checker: 'red', checkerSize: 0.75 * s },
         ],
       }),
-      { width: 24, height: 16, samples: 2, bounces: 3 },
+      { integrator: 'direct', width: 24, height: 16, samples: 2, bounces: 3 },
     ).data;
   for (const k of [-40, -1, 1, 40]) assert.deepEqual(picture(2 ** k), picture(1));
 });
@@ -144,7 +144,7 @@ test('irradiance falls with the square of the distance, and with the cosine', ()
       lights: [{ type: 'point', position: [0, height, 0], intensity: 5 }],
       objects: [{ type: 'plane', specular: 0, color: [0.5, 0.5, 0.5] }],
     });
-    return renderReference(scene, { width: 1, height: 1, samples: 1 }).data[0] as number;
+    return renderReference(scene, { integrator: 'direct', width: 1, height: 1, samples: 1 }).data[0] as number;
   };
   for (const [height, x] of [
     [1, 0],
@@ -166,7 +166,7 @@ test('a lamp on the other side of a plane, or inside a ball, lights nothing here
         lights: [{ type: 'point', position: light, intensity: 100 }],
         objects: [{ type: 'sphere', center: [0, 0.6, 0], radius: 0.5 }, { type: 'plane' }],
       }),
-      { width: 8, height: 8, samples: 1 },
+      { integrator: 'direct', width: 8, height: 8, samples: 1 },
     ).data.filter((_, i) => i % 4 < 3);
   assert.ok(dark([0, -1, 0]).every((value) => value === 0));
   assert.ok(dark([0, 0.7, 0]).every((value) => value === 0));

@@ -28,7 +28,7 @@ export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.t
 export { type Feature, features } from './scene-needs.ts';
 export * from './schema.ts';
 export { serializeScene } from './serialize-scene.ts';
-export { parseSettings, type RenderSettings, settingsFields } from './settings.ts';
+export { parseSettings, qualities, type RenderSettings, settingsFields } from './settings.ts';
 export type { BlockLayout } from './std140.ts';
 export type { Vec3 } from './vector.ts';
 export type { SampleNumber } from './view-record.ts';

@@ -3,10 +3,15 @@ import { choice, Mismatch, number, suggestion, type Values } from './fields.ts';
 import { SceneError } from './scene-error.ts';
 
 export const settingsFields = {
+  quality: choice(
+    'Where between fast and right the settings below stand that are not given; each is a set of them.',
+    ['draft', 'balanced', 'accurate', 'reference'],
+    { default: 'balanced' },
+  ),
   integrator: choice(
     'How light is followed; path: all of its ways; direct: Whitted ray tracing, free of noise under point lights.',
     ['path', 'direct'],
-    { default: 'direct' },
+    { default: 'path' },
   ),
   bounces: number('Surfaces that light may meet on its way, one after the other.', {
     default: 6,
@@ -15,7 +20,7 @@ export const settingsFields = {
     integer: true,
   }),
   samples: number('Samples per pixel after which the picture is complete.', {
-    default: 64,
+    default: 256,
     min: 1,
     max: 2 ** 20,
     integer: true,
@@ -45,6 +50,14 @@ export const settingsFields = {
 
 export type RenderSettings = Values<typeof settingsFields>;
 
+/** What each quality puts in the place of defaults; `balanced` is these themselves. */
+export const qualities: { readonly [Q in RenderSettings['quality']]: Partial<RenderSettings> } = {
+  draft: { integrator: 'direct', bounces: 4, samples: 16 },
+  balanced: {},
+  accurate: { bounces: 16, samples: 4096, maxError: 0.01 },
+  reference: { bounces: 64, samples: 65_536, maxError: 0.002 },
+};
+
 /**
  * Fills in the defaults of the settings that are not given.
  * @throws {SceneError} when one is unknown or out of its range.
@@ -55,8 +68,10 @@ export function parseSettings(given: { readonly [name: string]: unknown } = {}):
   const problems = Object.keys(given)
     .filter((name) => !names.includes(name))
     .map((name) => problem(name, `unknown setting "${name}"${suggestion(name, names)}`));
+  const quality = settingsFields.quality.read(given.quality ?? 'balanced');
+  const preset: { readonly [name: string]: unknown } = quality instanceof Mismatch ? {} : qualities[quality];
   const values = fields.map(([name, field]) => {
-    const value = given[name] === undefined ? field.default : field.read(given[name]);
+    const value = given[name] === undefined ? (preset[name] ?? field.default) : field.read(given[name]);
     if (value instanceof Mismatch) problems.push(problem(name, value.sentence(name, given[name])));
     return [name, value];
   });
