@@ -39,7 +39,10 @@ export interface ImageRow {
 /** Below this share of its value a pixel's standard error counts as this: f32 says no more of a sum of many samples. */
 const FLOOR = 1e-5;
 /** Of our mean standard error in units of theirs. */
-export const MAX_ERROR_RATIO = 3;
+const MAX_ERROR_RATIO = 3;
+/** What is aimed at, and where nothing more is to be learnt from more samples. */
+const GOOD_ERROR_RATIO = 2;
+const LEAST_ERROR_RATIO = 0.5;
 const MAX_BIAS = 0.003;
 const RMS_Z_RANGE = [0.9, 1.1] as const;
 /** In floors: with less noise than this, z is made small by the floor. */
@@ -102,6 +105,17 @@ export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth): I
     skipped: null,
   };
   return { ...row, broken: brokenBy(row) };
+}
+
+/**
+ * How many times as many samples an estimate should have. Where few samples meet something rare, z is not normally
+ * distributed: a pixel that none of them met it in seems to have no error. So what fails for its z has more.
+ */
+export function moreSamples(ours: Estimate, theirs: ImageTruth): number {
+  const ratio = errorRatio(ours, theirs);
+  if (!(ratio <= MAX_ERROR_RATIO)) return (ratio / GOOD_ERROR_RATIO) ** 2;
+  const agrees = imageRow('reference', ours, theirs).broken.length === 0;
+  return agrees || ratio <= LEAST_ERROR_RATIO ? 1 : 4;
 }
 
 type Numbers = {

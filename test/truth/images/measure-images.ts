@@ -7,7 +7,7 @@ import type { Gpu } from '../gpu-side.ts';
 import { differencePicture } from './difference-picture.ts';
 import { type Estimate, estimate, type RenderBatch } from './estimate.ts';
 import { type ImageTruth, readImageTruth } from './image-truth.ts';
-import { errorRatio, type ImageRow, type ImageSide, imageRow, MAX_ERROR_RATIO, skippedRow } from './judge-image.ts';
+import { errorRatio, type ImageRow, type ImageSide, imageRow, moreSamples, skippedRow } from './judge-image.ts';
 import type { NeutralScene } from './neutral-scene.ts';
 import { ReferencePool } from './reference-pool.ts';
 import { type TranslatedScene, translateScene } from './translate-scene.ts';
@@ -81,7 +81,7 @@ async function measureImage(
     parseScene(translated.scene);
     const start = performance.now();
     const ours = await estimate(await renderer(translated), {
-      excess: (one) => errorRatio(one, truth) / MAX_ERROR_RATIO,
+      more: (one) => moreSamples(one, truth),
       mostSamples: options.mostSamples,
       onRound: (one) => options.onProgress(progress(side, one, truth, performance.now() - start)),
     });
