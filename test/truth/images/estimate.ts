@@ -51,6 +51,16 @@ async function meanOfBatches(render: RenderBatch, samples: number, round: number
   return gathered.estimate(samples);
 }
 
+/** For who draws one picture after the other: `estimate` asks for many at once. */
+export function inTurns(render: RenderBatch): RenderBatch {
+  let last: Promise<unknown> = Promise.resolve();
+  return (seed, samples) => {
+    const next = last.then(() => render(seed, samples));
+    last = next;
+    return next;
+  };
+}
+
 /** Running means and sums of squared deviations (B. Welford, Technometrics 4(3), 1962). */
 class Gathered {
   #count = 0;
