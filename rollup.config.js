@@ -25,6 +25,24 @@ const withoutDocs = {
   },
 };
 
+/** The named colours of CSS in the order of their numbers, and the steps from one to the next, which are shorter. */
+const shortColorNames = {
+  name: 'short-color-names',
+  async transform(_code, path) {
+    if (!path.endsWith('culori/src/colors/named.js')) return undefined;
+    const { default: named } = await import(path);
+    const colors = Object.entries(named).sort(([, a], [, b]) => a - b);
+    const names = colors.map(([name]) => name).join(' ');
+    const steps = colors.map(([, color], i) => color - (i > 0 ? colors[i - 1][1] : 0));
+    const all = `'${names}'.split(' ').map((name, i) => [name, (color += [${steps}][i])]).sort()`;
+    return {
+      code: `let color = 0; export default Object.fromEntries(${all});`,
+      map: null,
+      moduleSideEffects: false,
+    };
+  },
+};
+
 /** Indents and comments of the one style sheet. */
 const shortStyles = {
   name: 'short-styles',
@@ -138,6 +156,7 @@ function oneFile(folder, name, input, others = '') {
     plugins: [
       nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
       withoutDocs,
+      shortColorNames,
       shortStyles,
       glNumbers,
       adoptedStyles,
@@ -146,7 +165,7 @@ function oneFile(folder, name, input, others = '') {
       terser({
         module: true,
         ecma: 2020,
-        compress: { passes: 3, keep_fargs: false },
+        compress: { passes: 3, keep_fargs: false, unsafe: true },
         format: { comments: /^!/, quote_style: 1 },
       }),
       sizes(folder),

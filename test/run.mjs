@@ -8,7 +8,8 @@ import { installPackages } from '../examples/serve.mjs';
 import { wantedEngines } from './browsers.mjs';
 import { installBrowsers } from './install-browsers.mjs';
 
-if (process.argv.includes('--full')) process.env.RAY_SCENE_FULL = '1';
+const full = process.argv.includes('--full');
+if (full) process.env.RAY_SCENE_FULL = '1';
 
 /** @type {{ name: string, seconds?: number, passed: number, failed: number, skipped: number }[]} */
 const rows = [];
@@ -73,6 +74,7 @@ installPackages();
 step('check');
 step('test:unit', ['unit']);
 await browserSteps(step('build'));
+if (full) step('test:truth', ['truth images']);
 printTable();
 
 const total = (key) => rows.reduce((sum, row) => sum + row[key], 0);

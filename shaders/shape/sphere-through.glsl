@@ -32,3 +32,10 @@ vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
 #endif
   return (dot(from.c, d) > 0.0 ? -perRadius : perRadius) * from.c;
 }
+
+#ifdef SIDES
+// Whether the ray comes from outside: the centre is ahead.
+bool sphereFront(Sphere s, SphereFrom from, vec3 d) {
+  return dot(from.c, d) > 0.0;
+}
+#endif

@@ -69,13 +69,6 @@ vec3 sphereNormal(Sphere s, SphereFrom from, vec3 d, float weight) {
 }
 #endif
 
-#ifdef SIDES
-// Whether the ray comes from outside: the centre is ahead.
-bool sphereFront(Sphere s, SphereFrom from, vec3 d) {
-  return dot(from.c, d) > 0.0;
-}
-#endif
-
 #ifdef SPHERE_CHECKER
 #include "shape/sphere-cells.glsl"
 #endif

@@ -37,6 +37,35 @@ test('twenty elements draw, with one context', async ({ page, complaints }) => {
   expect(complaints).toEqual([]);
 });
 
+test('a simple scene is drawn without other parts; a camera that goes into a ball loads some', async ({
+  page,
+  complaints,
+}) => {
+  const parts: string[] = [];
+  page.on('request', (request) => parts.push(...(/\w+-parts(?=\.js$)/.exec(request.url()) ?? [])));
+  // Where the processor draws, all scenes need the other file.
+  await page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const original = prototype.getParameter;
+    prototype.getParameter = function (this: WebGL2RenderingContext, name: GLenum) {
+      const value: unknown = original.call(this, name);
+      return typeof value === 'string' ? 'some graphics card' : value;
+    };
+  });
+  await show(page, '<ray-scene samples="4"><ray-sphere></ray-sphere></ray-scene>');
+  const { hash } = await picture(page);
+  expect(parts).toEqual([]);
+  const inside = await page.locator('ray-scene').evaluate(async (element) => {
+    Reflect.set(element, 'camera', { position: [0.5, 0, 0] });
+    await Reflect.get(element, 'complete');
+    return Reflect.get(element, 'stats');
+  });
+  expect(inside).toMatchObject({ samples: 4, compiles: 2 });
+  expect(parts).toEqual(['more-parts']);
+  expect((await picture(page)).hash).not.toBe(hash);
+  expect(complaints).toEqual([]);
+});
+
 test('a misspelt attribute is told in the element, once on the console, and as an event', async ({ page }) => {
   const told: string[] = [];
   page.on('console', (message) => {

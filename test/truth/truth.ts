@@ -3,6 +3,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
+import { reportCounts } from '../counts.mjs';
 import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tables.ts';
 import { bsdfTables } from './bsdf-tables.ts';
 import { Gpu } from './gpu-side.ts';
@@ -25,7 +26,7 @@ Measures the f64 reference and the GPU path against ground truth that this proje
   --only PART     vectors, brdf or images
   --scene NAME    of the images, this one
   --samples N     of the images: per pixel, at most (default: 65536). Fewer are taken where they are enough for
-                  a mean standard error of at most 3 times that of the truth
+                  a mean standard error of at most 3 times that of the truth, and for z to be as expected
   --pictures DIR  of the images, writes PNG files there: ours, theirs, and the difference in standard errors
   --json FILE     writes all numbers there
 
@@ -159,5 +160,8 @@ if (options.help) {
   const truth = await measure();
   printReport(truth);
   if (options.json) writeFileSync(options.json, `${JSON.stringify(truth, null, 2)}\n`);
+  const failed = truth.images.filter(({ broken }) => broken.length > 0).length;
+  const skipped = truth.images.filter((row) => row.skipped !== null && row.broken.length === 0).length;
+  reportCounts('truth images', { passed: truth.images.length - failed - skipped, failed, skipped });
   if (truth.broken.length > 0) process.exitCode = 1;
 }

@@ -39,7 +39,7 @@ const noiseOf =
   };
 
 const estimated = (noise: number, value?: number): Promise<Estimate> =>
-  estimate(noiseOf(noise, value), { excess: () => 0, mostSamples: 2 ** 20 });
+  estimate(noiseOf(noise, value), { more: () => 1, mostSamples: 2 ** 20 });
 
 test('two pictures of the same agree, as surely as their errors say', async () => {
   const row = imageRow('reference', await estimated(0.1), theirs(0.01));
@@ -81,7 +81,7 @@ test('a pixel that is not a number is left out, and told', async () => {
   assert.equal(row.broken.length, 1);
 });
 
-test('as many samples are taken as the errors ask for, no random number twice', async () => {
+test('as many samples are taken as the errors ask for, no seed twice', async () => {
   const seeds: number[] = [];
   const render = noiseOf(1);
   const ours = await estimate(
@@ -89,7 +89,7 @@ test('as many samples are taken as the errors ask for, no random number twice', 
       seeds.push(seed);
       return render(seed, samples);
     },
-    { excess: ({ error }) => (error[0] as number) / 0.01, mostSamples: 2 ** 20 },
+    { more: ({ error }) => ((error[0] as number) / 0.01) ** 2, mostSamples: 2 ** 20 },
   );
   assert.ok((ours.error[0] as number) <= 0.01);
   assert.ok(ours.samples < 2 ** 16, `${ours.samples}`);
@@ -97,7 +97,7 @@ test('as many samples are taken as the errors ask for, no random number twice', 
 });
 
 test('no more samples are taken than are allowed', async () => {
-  const { samples } = await estimate(noiseOf(1), { excess: () => 100, mostSamples: 4096 });
+  const { samples } = await estimate(noiseOf(1), { more: () => 100, mostSamples: 4096 });
   assert.equal(samples, 4096);
 });
 

@@ -2,8 +2,8 @@
 import { type AssembledGlsl, assembleGlsl } from './assemble-glsl.ts';
 import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
-import { loadedParts, moreParts, pathParts, shapeFile, shapeGlsl } from './parts.ts';
-import { type ShapeKind, shapeKinds } from './primitives/index.ts';
+import { loadedParts, moreParts, pathParts } from './parts.ts';
+import { shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
 import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
@@ -44,7 +44,6 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
     ...glslFiles,
     ...loadedParts()?.files,
     ...paths?.files,
-    ...Object.fromEntries(presentKinds(required).map((kind) => [shapeFile(kind), shapeGlsl(kind)])),
     ...(main === undefined ? {} : { [root]: main }),
     'generated/limits.glsl': paths?.limitsGlsl(required) ?? `const float BOUNCES = ${required.bounces}.0;\n`,
     'generated/view.glsl': blockGlsl(view),
@@ -69,11 +68,10 @@ const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').t
 
 const countNames = { point: 'POINT_LIGHTS', directional: 'DIRECTIONAL_LIGHTS' } as const;
 
-const presentKinds = ({ shapes }: Requirements): readonly ShapeKind[] => shapeKinds.filter((kind) => shapes[kind] > 0);
-
-const shapeIncludes = (required: Requirements): string =>
-  presentKinds(required)
-    .map((kind) => `#include "${shapeFile(kind)}"\n`)
+const shapeIncludes = ({ shapes }: Requirements): string =>
+  shapeKinds
+    .filter((kind) => shapes[kind] > 0)
+    .map((kind) => `#include "shape/${kind}.glsl"\n`)
     .join('');
 
 const KNOWN_NAMES: ReadonlySet<string> = new Set([

@@ -12,6 +12,8 @@ import fullscreenVertex from '../../../shaders/fullscreen.vert.glsl';
 import environment from '../../../shaders/light/environment.glsl';
 import lights from '../../../shaders/light/lights.glsl';
 import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
+import planeGlsl from '../../../shaders/shape/plane.glsl';
+import sphereGlsl from '../../../shaders/shape/sphere.glsl';
 import surface from '../../../shaders/surface.glsl';
 import trace from '../../../shaders/trace.frag.glsl';
 
@@ -29,6 +31,8 @@ export const glslFiles: { readonly [file: string]: string } = {
   'light/environment.glsl': environment,
   'light/lights.glsl': lights,
   'material/metallic-roughness.glsl': metallicRoughness,
+  'shape/plane.glsl': planeGlsl,
+  'shape/sphere.glsl': sphereGlsl,
   'surface.glsl': surface,
   'trace.frag.glsl': trace,
 };

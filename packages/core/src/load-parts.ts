@@ -9,6 +9,7 @@ import type { Scene } from './schema.ts';
 const MORE_FEATURES: ReadonlySet<Feature> = new Set([
   'sphereChecker',
   'tiltedPlane',
+  'turnedChecker',
   'inside',
   'through',
   'wideRange',

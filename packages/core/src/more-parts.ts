@@ -18,6 +18,8 @@ import splitDot from '../../../shaders/split-dot.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
 import { indexedObjects } from './indexed-objects.ts';
 import { registerParts } from './parts.ts';
+import { anyPlane } from './primitives/any-plane.ts';
+import { anySphere } from './primitives/any-sphere.ts';
 import { box } from './primitives/box-shape.ts';
 import { cone } from './primitives/cone-shape.ts';
 import { cylinder } from './primitives/cylinder-shape.ts';
@@ -28,26 +30,35 @@ import { triangle } from './primitives/triangle-shape.ts';
 import { structFromRows, varyingRows } from './varying-rows.ts';
 
 const shapes = {
-  disc: { primitive: disc, glsl: discGlsl },
-  quad: { primitive: quad, glsl: quadGlsl },
-  box: { primitive: box, glsl: boxGlsl },
-  cylinder: { primitive: cylinder, glsl: cylinderGlsl },
-  cone: { primitive: cone, glsl: coneGlsl },
-  torus: { primitive: torus, glsl: torusGlsl },
-  triangle: { primitive: triangle, glsl: triangleGlsl },
+  sphere: anySphere,
+  plane: anyPlane,
+  disc,
+  quad,
+  box,
+  cylinder,
+  cone,
+  torus,
+  triangle,
 } as const;
 
 registerParts({
   shapes,
   files: {
     'arc-tangent.glsl': arcTangent,
+    'shape/box.glsl': boxGlsl,
+    'shape/cone.glsl': coneGlsl,
     'shape/convex.glsl': convexGlsl,
+    'shape/cylinder.glsl': cylinderGlsl,
+    'shape/disc.glsl': discGlsl,
     'shape/plane-through.glsl': planeThrough,
     'shape/plane-tilted.glsl': planeTilted,
+    'shape/quad.glsl': quadGlsl,
     'shape/sphere-cells.glsl': sphereCells,
     'shape/sphere-inside.glsl': sphereInside,
     'shape/sphere-through.glsl': sphereThrough,
     'shape/sphere-wide.glsl': sphereWide,
+    'shape/torus.glsl': torusGlsl,
+    'shape/triangle.glsl': triangleGlsl,
     'split-dot.glsl': splitDot,
     'varyings.vert.glsl': varyingsVertex,
   },

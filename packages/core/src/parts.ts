@@ -2,8 +2,6 @@
  * What shaders are made of, beyond what every scene needs. Spheres and planes are always there; the other shapes, the form
  * for many objects and that for software renderers come with the module `more-parts.ts`, which a page loads when it must.
  */
-import planeGlsl from '../../../shaders/shape/plane.glsl';
-import sphereGlsl from '../../../shaders/shape/sphere.glsl';
 import type { Fields } from './fields.ts';
 import type { Frame } from './frame.ts';
 import type { ShapeKind } from './primitives/index.ts';
@@ -15,22 +13,16 @@ import type { ResolvedScene } from './resolve-scene.ts';
 import type { Feature, SceneNeeds } from './scene-needs.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 
-/** A primitive of any kind, with the text of its shader file. */
-interface Part {
-  readonly primitive: Primitive<Fields, readonly Member[]>;
-  readonly glsl: string;
-}
+type AnyPrimitive = Primitive<Fields, readonly Member[]>;
 
-/** How primitives are packed and traced. */
-const shapes: { [K in ShapeKind]?: Part } = {
-  sphere: { primitive: sphere, glsl: sphereGlsl },
-  plane: { primitive: plane, glsl: planeGlsl },
-};
+/** How primitives are packed. */
+const shapes: { [K in ShapeKind]?: AnyPrimitive } = { sphere, plane };
 
 /** What comes with `more-parts.ts`. */
 export interface MoreParts {
-  readonly shapes: { readonly [K in Exclude<ShapeKind, 'sphere' | 'plane'>]: Part };
-  /** Shader files by name, but for those of `glslFiles` and of the shapes. */
+  /** All of them: spheres and planes for which nothing is too much. */
+  readonly shapes: { readonly [K in ShapeKind]: AnyPrimitive };
+  /** Shader files by name, but for those of `glslFiles`. */
   readonly files: { readonly [file: string]: string };
   /** Writes the part of a shader that goes through many objects. */
   readonly indexedObjects: (required: Requirements, scene: BlockLayout) => string;
@@ -103,16 +95,10 @@ const present = <T>(part: T | undefined): T => {
 export const moreParts = (): MoreParts => present(more);
 
 /** @throws {Error} when the kind has not been loaded. */
-export const primitiveOfKind = (kind: ShapeKind): Part['primitive'] => present(shapes[kind]).primitive;
+export const primitiveOfKind = (kind: ShapeKind): AnyPrimitive => present(shapes[kind]);
 
 /**
  * The primitive of a shape, for callers to whom its kind does not matter.
  * @throws {Error} when the kind has not been loaded.
  */
-export const primitiveOf = (shape: { readonly type: ShapeKind }): Part['primitive'] => primitiveOfKind(shape.type);
-
-/** The shader file that defines a kind of shape. */
-export const shapeFile = (kind: ShapeKind): string => `shape/${kind}.glsl`;
-
-/** The text of that file. */
-export const shapeGlsl = (kind: ShapeKind): string => present(shapes[kind]).glsl;
+export const primitiveOf = (shape: { readonly type: ShapeKind }): AnyPrimitive => primitiveOfKind(shape.type);

@@ -1,5 +1,6 @@
 import { orbitCamera, panCamera, type ResolvedCamera, zoomCamera } from '@ray-scene/core';
 import type { OrbitHost } from './orbit.ts';
+import { KEYS_ID } from './shadow-tree.ts';
 
 /** One press of an arrow key, in radians and in heights of the picture. */
 const KEY_TURN = Math.PI / 24;
@@ -43,6 +44,7 @@ export class CameraControls {
     this.#canvas = canvas;
     this.#set = set;
     for (const type of LISTENED) canvas.addEventListener(type, this);
+    canvas.after(keysText());
   }
 
   /** Goes on with `auto-rotate`, unless somebody holds the scene. */
@@ -124,4 +126,13 @@ export class CameraControls {
     if (!camera) return;
     this.#set(step(camera));
   }
+}
+
+/** For who does not see the picture. */
+function keysText(): HTMLElement {
+  const text = document.createElement('span');
+  text.id = KEYS_ID;
+  text.hidden = true;
+  text.textContent = 'Arrow keys look around, with shift they move; plus and minus zoom; 0 starts over.';
+  return text;
 }

@@ -14,9 +14,11 @@ export interface ShadowState {
   readonly error: Problem['message'] | undefined;
 }
 
+/** Of the text that says which keys there are; see `camera-controls.ts`. */
+export const KEYS_ID = 'keys';
+
 export class ShadowTree {
   readonly canvas = make('canvas', { part: 'canvas', role: 'img' });
-  readonly #keys = make('span', { id: 'keys', hidden: '' });
   readonly #image = make('img', { alt: '' });
   readonly #poster = make('div', { part: 'poster' });
   readonly #nodes = make('div', {});
@@ -24,17 +26,16 @@ export class ShadowTree {
   readonly #error = make('div', { part: 'error', role: 'alert', tabindex: '0' });
 
   constructor(root: ShadowRoot) {
-    this.#keys.textContent = 'Arrow keys look around, with shift they move; plus and minus zoom; 0 starts over.';
     const poster = make('slot', { name: 'poster' });
     poster.append(this.#image);
     this.#poster.append(poster);
     this.#nodes.append(make('slot', {}));
-    root.append(this.canvas, this.#keys, this.#poster, this.#nodes, this.#error);
+    root.append(this.canvas, this.#poster, this.#nodes, this.#error);
   }
 
   show({ label, keys, hasWebGL, hasPicture, poster, error }: ShadowState): void {
     set(this.canvas, 'aria-label', label);
-    set(this.canvas, 'aria-describedby', keys ? 'keys' : null);
+    set(this.canvas, 'aria-describedby', keys ? KEYS_ID : null);
     set(this.canvas, 'tabindex', keys ? '0' : null);
     this.canvas.hidden = !hasWebGL;
     this.#poster.hidden = hasPicture || !hasWebGL;

@@ -29,7 +29,7 @@ EmitterSample boxSample(Emitter e, vec3 p, vec2 u, bool own) {
   if (own || !(area > 0.0)) {
 #ifdef INNER_EMITTER
     vec3 around = aroundDirection(u);
-    return insideSample(e, around, boxExit(e, c, around, own));
+    return insideSample(e, around, boxExit(e, c, around, own), AROUND_PDF);
 #else
     return NO_LIGHT;
 #endif

@@ -80,7 +80,7 @@ EmitterSample cylinderSample(Emitter e, vec3 p, vec2 u, bool own) {
   if (own || !(area > 0.0)) {
 #ifdef INNER_EMITTER
     vec3 around = aroundDirection(u);
-    return insideSample(e, around, cylinderExit(e, seen, around, own));
+    return insideSample(e, around, cylinderExit(e, seen, around, own), AROUND_PDF);
 #else
     return NO_LIGHT;
 #endif

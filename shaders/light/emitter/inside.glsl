@@ -9,10 +9,10 @@ vec3 aroundDirection(vec2 u) {
 }
 
 // The light from the inner side of a surface that is `distance` away; from a point on it, some directions lead outside.
-EmitterSample insideSample(Emitter e, vec3 d, float distance) {
+EmitterSample insideSample(Emitter e, vec3 d, float distance, float pdf) {
   if (e.side > 0.0) return NO_LIGHT;
   vec3 radiance = distance > 0.0 ? e.strength : vec3(0.0);
-  return EmitterSample(d, max(distance, 0.0), radiance, AROUND_PDF, false, e.object);
+  return EmitterSample(d, max(distance, 0.0), radiance, pdf, false, e.object);
 }
 
 float insidePdf(Emitter e) {

@@ -1,4 +1,5 @@
-// A sphere: from outside all directions that meet it are equally likely, from inside all directions are.
+// A sphere: from outside all directions that meet it are equally likely, from inside all directions are, and from a point on
+// it all other points.
 // Source: P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
 #include "light/emitter/cone.glsl"
 #include "light/emitter/placed.glsl"
@@ -28,17 +29,26 @@ vec2 sphereCut(Emitter e, vec3 c, vec3 d) {
   return vec2(along, sqrt(max(e.radius * e.radius - dotInOrder(aside, aside), 0.0)));
 }
 
+#ifdef INNER_EMITTER
+// From a point on it, all points of a sphere are equally likely: that is in proportion to the cosine with the way to the
+// centre, `axis`, as a dull surface scatters light, which then is gathered without noise.
+EmitterSample acrossSample(Emitter e, vec3 axis, vec2 u) {
+  vec3 way = axis + aroundDirection(u);
+  float size = sqrt(dotInOrder(way, way));
+  return insideSample(e, way / max(size, SMALLEST), e.radius * size, 0.5 * INVERSE_PI * size);
+}
+#endif
+
 EmitterSample sphereSample(Emitter e, vec3 p, vec2 u, bool own) {
   vec3 c = wayTo(e, p);
   vec2 seen = sphereSeen(e, c);
   if (own || !(seen.y > 0.0)) {
 #ifdef INNER_EMITTER
+    if (own) return acrossSample(e, c / max(seen.x, SMALLEST), u);
     vec3 around = aroundDirection(u);
     vec2 cut = sphereCut(e, c, around);
-    // The root that is not the point's own.
-    float power = own ? 0.0 : seen.y;
-    float exit = cut.x > 0.0 ? cut.x + cut.y : -power / max(cut.y - cut.x, SMALLEST);
-    return insideSample(e, around, exit);
+    float exit = cut.x > 0.0 ? cut.x + cut.y : -seen.y / max(cut.y - cut.x, SMALLEST);
+    return insideSample(e, around, exit, AROUND_PDF);
 #else
     return NO_LIGHT;
 #endif
@@ -54,9 +64,11 @@ EmitterSample sphereSample(Emitter e, vec3 p, vec2 u, bool own) {
 }
 
 float spherePdf(Emitter e, vec3 from, vec3 d, float t, float cosine, bool own) {
-  vec2 seen = sphereSeen(e, wayTo(e, from));
+  vec3 c = wayTo(e, from);
+  vec2 seen = sphereSeen(e, c);
 #ifdef INNER_EMITTER
-  if (own || !(seen.y > 0.0)) return insidePdf(e);
+  if (own) return e.side > 0.0 ? 0.0 : INVERSE_PI * max(dotInOrder(c, d), 0.0) / max(seen.x, SMALLEST);
+  if (!(seen.y > 0.0)) return insidePdf(e);
 #else
   if (own || !(seen.y > 0.0)) return 0.0;
 #endif

@@ -22,25 +22,24 @@ const PILOT = 8;
 const GROWTH = 16;
 
 export interface EstimateOptions {
-  /** How many times as large the errors are as they may be. */
-  readonly excess: (estimate: Estimate) => number;
+  /** How many times as many samples it should have; up to 1: it has enough. */
+  readonly more: (estimate: Estimate) => number;
   /** Per pixel, in all batches: where it ends in any case. */
   readonly mostSamples: number;
   readonly onRound?: (estimate: Estimate) => void;
 }
 
-/** Begins with few samples and takes as many more as `excess` says, each time with other seeds. */
+/** Begins with few samples and takes as many more as `more` says, each time with other seeds. */
 export async function estimate(render: RenderBatch, options: EstimateOptions): Promise<Estimate> {
-  let samples = PILOT;
+  const most = Math.max(1, Math.floor(options.mostSamples / BATCHES));
+  let samples = Math.min(PILOT, most);
   for (let round = 0; ; round++) {
     const result = await meanOfBatches(render, samples, round);
     options.onRound?.(result);
-    const excess = options.excess(result);
-    const most = Math.floor(options.mostSamples / BATCHES);
-    if (!(excess > 1) || samples >= most) return result;
+    const more = options.more(result);
+    if (!(more > 1) || samples >= most) return result;
     // A sequence of Sobol points is at its best in powers of two.
-    const factor = Math.min(GROWTH, 2 ** Math.ceil(Math.log2(1.1 * excess ** 2)));
-    samples = Math.min(most, samples * factor);
+    samples = Math.min(most, samples * Math.min(GROWTH, 2 ** Math.ceil(Math.log2(more))));
   }
 }
 
@@ -50,6 +49,16 @@ async function meanOfBatches(render: RenderBatch, samples: number, round: number
   const gathered = new Gathered();
   await Promise.all(seeds.map(async (seed) => gathered.add(await render(seed, samples))));
   return gathered.estimate(samples);
+}
+
+/** For who draws one picture after the other: `estimate` asks for many at once. */
+export function inTurns(render: RenderBatch): RenderBatch {
+  let last: Promise<unknown> = Promise.resolve();
+  return (seed, samples) => {
+    const next = last.then(() => render(seed, samples));
+    last = next;
+    return next;
+  };
 }
 
 /** Running means and sums of squared deviations (B. Welford, Technometrics 4(3), 1962). */

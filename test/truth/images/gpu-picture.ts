@@ -2,7 +2,6 @@
 import '@ray-scene/core/parts';
 import { parseScene, parseSettings } from '@ray-scene/core';
 import { Renderer } from '../../../packages/ray-scene/src/renderer.ts';
-import { INTEGRATOR } from './reference-job.ts';
 
 /** What the GPU draws until the next one. */
 export interface GpuPicture {
@@ -33,7 +32,7 @@ export function showPicture(picture: GpuPicture): void {
 /** Begins a picture with other random numbers. */
 export function beginSamples(settings: { readonly seed: number; readonly samples: number }): void {
   samples = settings.samples;
-  renderer?.setSettings(parseSettings({ ...settings, bounces, integrator: INTEGRATOR }));
+  renderer?.setSettings(parseSettings({ ...settings, bounces, integrator: 'path' }));
 }
 
 /** Draws for about so many milliseconds; whether that was all. */
@@ -50,9 +49,12 @@ export async function drawSamples(milliseconds: number): Promise<boolean> {
   return false;
 }
 
+/** The mean of the samples: linear RGBA, the top row first. */
+export const readRadiance = (): Float32Array => renderer?.readRadiance() ?? new Float32Array(0);
+
 /** The mean of the samples, RGBA, as base64 of its bytes: text that JSON keeps to the last bit. */
 export function readPicture(): string {
-  const bytes = new Uint8Array(renderer?.readRadiance().buffer ?? new ArrayBuffer(0));
+  const bytes = new Uint8Array(readRadiance().buffer);
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);
   return btoa(text);

@@ -1,5 +1,5 @@
 /** A picture of ours against another renderer's: the numbers of a row, and the limits that they are held to. */
-import { average, type Estimate, greyOf } from './estimate.ts';
+import { average, type Estimate, type EstimateOptions, greyOf } from './estimate.ts';
 import type { ImageTruth } from './image-truth.ts';
 
 export type ImageSide = 'reference' | 'gpu';
@@ -33,13 +33,19 @@ export interface ImageRow {
   readonly psnr: number | null;
   /** Why there is no picture. */
   readonly skipped: string | null;
+  /** The limits that are not kept which say that the two pictures are not the same, in words. */
+  readonly disagrees: readonly string[];
+  /** All limits that are not kept. */
   readonly broken: readonly string[];
 }
 
 /** Below this share of its value a pixel's standard error counts as this: f32 says no more of a sum of many samples. */
 const FLOOR = 1e-5;
 /** Of our mean standard error in units of theirs. */
-export const MAX_ERROR_RATIO = 3;
+const MAX_ERROR_RATIO = 3;
+/** What is aimed at, and where nothing more is to be learnt from more samples. */
+const GOOD_ERROR_RATIO = 2;
+const LEAST_ERROR_RATIO = 0.5;
 const MAX_BIAS = 0.003;
 const RMS_Z_RANGE = [0.9, 1.1] as const;
 /** In floors: with less noise than this, z is made small by the floor. */
@@ -101,8 +107,26 @@ export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth): I
     psnr: psnr(ours.rgb, theirs.rgb),
     skipped: null,
   };
-  return { ...row, broken: brokenBy(row) };
+  const disagrees = disagreements(row);
+  const noise = row.errorRatio.toPrecision(3);
+  const tooNoisy =
+    row.errorRatio <= MAX_ERROR_RATIO ? [] : [`errors ${noise} times theirs, at most ${MAX_ERROR_RATIO}`];
+  return { ...row, disagrees, broken: [...disagrees, ...tooNoisy] };
 }
+
+/**
+ * How many times as many samples an estimate should have. Where few samples meet something rare, z is not normally
+ * distributed: a pixel that none of them met it in seems to have no error. So what fails for its z has more.
+ */
+export function moreSamples(ours: Estimate, theirs: ImageTruth): number {
+  const ratio = errorRatio(ours, theirs);
+  if (!(ratio <= MAX_ERROR_RATIO)) return (ratio / GOOD_ERROR_RATIO) ** 2;
+  const agrees = imageRow('reference', ours, theirs).disagrees.length === 0;
+  return agrees || ratio <= LEAST_ERROR_RATIO ? 1 : 4;
+}
+
+/** What tests take: few samples, whose errors may be larger than those of the truth. */
+export const fewSamples: EstimateOptions = { more: () => 2, mostSamples: 128 };
 
 type Numbers = {
   readonly [K in
@@ -115,7 +139,7 @@ type Numbers = {
     | 'skippedFraction']: number;
 };
 
-function brokenBy(row: Numbers): readonly string[] {
+function disagreements(row: Numbers): readonly string[] {
   const { bias, biasError, rmsZ, expectedRmsZ, noisyFraction, skippedFraction } = row;
   // Pixels without noise agree to the last digits: their z is as good as 0.
   const least = RMS_Z_RANGE[0] * expectedRmsZ * Math.sqrt(noisyFraction);
@@ -124,8 +148,6 @@ function brokenBy(row: Numbers): readonly string[] {
     !(Math.abs(bias) < MAX_BIAS || Math.abs(bias) < 3 * biasError) &&
       `bias ${percent(bias)}, below ${percent(MAX_BIAS)} or 3 × ${percent(biasError)}`,
     !(rmsZ >= least && rmsZ <= most) && `rmsZ ${rmsZ.toFixed(3)}, ${least.toFixed(2)} to ${most.toFixed(2)}`,
-    !(row.errorRatio <= MAX_ERROR_RATIO) &&
-      `standard errors ${row.errorRatio.toPrecision(3)} times theirs, at most ${MAX_ERROR_RATIO}`,
     skippedFraction > 0 && `${percent(skippedFraction)} of the pixels not finite`,
   ].filter((what) => what !== false);
 }
@@ -147,6 +169,7 @@ export const skippedRow = (scene: string, side: ImageSide, why: string, broken =
   skippedFraction: null,
   psnr: null,
   skipped: why,
+  disagrees: [],
   broken: broken ? [why] : [],
 });
 

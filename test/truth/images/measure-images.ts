@@ -5,10 +5,9 @@ import { join } from 'node:path';
 import { parseScene, SceneError } from '@ray-scene/core';
 import type { Gpu } from '../gpu-side.ts';
 import { differencePicture } from './difference-picture.ts';
-import { type Estimate, estimate, type RenderBatch } from './estimate.ts';
+import { type Estimate, estimate, inTurns, type RenderBatch } from './estimate.ts';
 import { type ImageTruth, readImageTruth } from './image-truth.ts';
-import { errorRatio, type ImageRow, type ImageSide, imageRow, MAX_ERROR_RATIO, skippedRow } from './judge-image.ts';
-import type { NeutralScene } from './neutral-scene.ts';
+import { errorRatio, type ImageRow, type ImageSide, imageRow, moreSamples, skippedRow } from './judge-image.ts';
 import { ReferencePool } from './reference-pool.ts';
 import { type TranslatedScene, translateScene } from './translate-scene.ts';
 
@@ -36,7 +35,7 @@ export async function measureImages(options: ImageOptions): Promise<readonly Ima
   try {
     for (const name of names) {
       const truth = await imageTruth(join(options.data, name));
-      const translated = isDirect(truth.scene) ? translateScene(truth.scene) : { skipped: 'no integrator path yet' };
+      const translated = translateScene(truth.scene);
       if (pool) {
         rows.push(await measureImage('reference', truth, translated, options, (scene) => onPool(pool, scene, truth)));
       }
@@ -48,14 +47,6 @@ export async function measureImages(options: ImageOptions): Promise<readonly Ima
   }
   return rows;
 }
-
-/** Scenes that Whitted's integrator is as good for as any. */
-const isDirect = ({ materials, objects, environment, integrator, camera }: NeutralScene): boolean =>
-  Object.values(materials).every(({ type }) => type === 'lambert') &&
-  objects.every(({ emission }) => !emission) &&
-  !environment &&
-  integrator.mitsubaMaxDepth === 2 &&
-  camera.type === 'perspective';
 
 function sceneNames({ data, scene }: ImageOptions): readonly string[] {
   const names = readdirSync(data).filter((name) => statSync(join(data, name)).isDirectory());
@@ -81,7 +72,7 @@ async function measureImage(
     parseScene(translated.scene);
     const start = performance.now();
     const ours = await estimate(await renderer(translated), {
-      excess: (one) => errorRatio(one, truth) / MAX_ERROR_RATIO,
+      more: (one) => moreSamples(one, truth),
       mostSamples: options.mostSamples,
       onRound: (one) => options.onProgress(progress(side, one, truth, performance.now() - start)),
     });
@@ -101,13 +92,7 @@ const onPool = async (pool: ReferencePool, { scene, bounces }: Renderable, truth
 
 async function onGpu(gpu: Gpu, { scene, bounces }: Renderable, { width, height }: ImageTruth): Promise<RenderBatch> {
   await gpu.show({ scene: JSON.stringify(scene), bounces, width, height });
-  // One picture after the other: they are asked for at once.
-  let last: Promise<unknown> = Promise.resolve();
-  return (seed, samples) => {
-    const next = last.then(() => gpu.samples(seed, samples));
-    last = next;
-    return next;
-  };
+  return inTurns((seed, samples) => gpu.samples(seed, samples));
 }
 
 function progress(side: ImageSide, ours: Estimate, truth: ImageTruth, milliseconds: number): string {

@@ -1,5 +1,5 @@
 /** One picture of the f64 reference. */
-import { parseScene, type RenderSettings } from '@ray-scene/core';
+import { parseScene } from '@ray-scene/core';
 import { renderReference } from '@ray-scene/core/reference';
 
 export interface ReferenceJob {
@@ -12,12 +12,9 @@ export interface ReferenceJob {
   readonly samples: number;
 }
 
-/** The one that the pictures are for. */
-export const INTEGRATOR: RenderSettings['integrator'] = 'direct';
-
 /** Linear RGB, the top row first. */
 export function renderJob({ scene, ...settings }: ReferenceJob): Float64Array {
-  const { data } = renderReference(parseScene(scene), { ...settings, integrator: INTEGRATOR });
+  const { data } = renderReference(parseScene(scene), { ...settings, integrator: 'path' });
   return withoutAlpha(data);
 }
 

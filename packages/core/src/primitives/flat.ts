@@ -2,6 +2,7 @@
 import { type Frame, toFrame } from '../frame.ts';
 import { splitParts } from '../split-parts.ts';
 import { cross, dot, type Vec3 } from '../vector.ts';
+import { withinPair } from './plane.ts';
 
 /** Members of a record for the pattern of a kind: U and V counted in cells are linear in the place. */
 export const cellMembers = <const K extends string>(kind: K) =>
@@ -23,9 +24,6 @@ export function packCells(frame: Frame, origin: Vec3, u: Vec3, v: Vec3, checkerS
     startV: withinPair(-dot(v, start) / cell),
   };
 }
-
-/** At the camera within the first pair of cells, so that the numbers stay small. */
-export const withinPair = (cells: number): number => cells - 2 * Math.round(cells / 2);
 
 /** Members of a record for a unit normal, in three parts where that is needed. */
 export const normalMembers = [

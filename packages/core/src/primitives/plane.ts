@@ -1,9 +1,9 @@
 import { vector } from '../fields.ts';
 import { toFrame } from '../frame.ts';
 import { cross, dot, length, normalize, scale, subtract, type Vec3 } from '../vector.ts';
-import { lowWord, packNormal, withinPair } from './flat.ts';
 import { definePrimitive } from './primitive.ts';
 
+/** For most scenes; see `any-plane.ts` for the others. */
 export const plane = definePrimitive({
   doc: 'A plane without end. U runs along the tangent, V along normal × tangent, both from the point.',
   fields: {
@@ -12,41 +12,24 @@ export const plane = definePrimitive({
     tangent: vector('The direction of U; default: the x axis, or z where the normal is nearly x.', { nonzero: true }),
   },
   record: [
-    { name: 'down', type: 'vec3', when: 'tiltedPlane' },
-    { name: 'down2', type: 'vec3', when: 'tiltedPlane wideRange' },
-    { name: 'down3', type: 'vec3', when: 'tiltedPlane wideRange' },
-    { name: 'point', type: 'vec3', when: 'tiltedPlane wideRange' },
-    { name: 'pointLow', type: 'vec3', when: 'tiltedPlane wideRange' },
     { name: 'downY', type: 'float', when: '!tiltedPlane' },
     { name: 'height', type: 'float' },
-    { name: 'cameraSide', type: 'float', when: 'sides' },
-    { name: 'cellU', type: 'vec3', when: 'planeChecker turnedChecker' },
     { name: 'perCell', type: 'float', when: 'planeChecker !turnedChecker' },
     { name: 'startU', type: 'float', when: 'planeChecker' },
-    { name: 'cellV', type: 'vec3', when: 'planeChecker turnedChecker' },
     { name: 'startV', type: 'float', when: 'planeChecker' },
   ],
-  pack(shape, frame, { side, checkerSize, wideRange }) {
+  pack(shape, frame, { side, checkerSize }) {
     const { normal, tangent, bitangent } = planeAxes(shape);
     const point = toFrame(frame, shape.point);
     const cell = checkerSize * frame.scale;
-    const down = packNormal(scale(normal, -side), wideRange);
     return {
       // Away from the camera: all light that reaches it leaves the plane on its side.
-      down: down.normal,
-      down2: down.normal2,
-      down3: down.normal3,
-      point,
-      pointLow: lowWord(point),
       downY: -side * normal[1],
       // Of the camera.
       height: -side * dot(normal, point),
-      cameraSide: side,
       // U and V counted in cells; at the camera within the first pair of them, so that the numbers stay small.
       perCell: 1 / cell,
-      cellU: scale(tangent, 1 / cell),
       startU: withinPair(-dot(tangent, point) / cell),
-      cellV: scale(bitangent, 1 / cell),
       startV: withinPair(-dot(bitangent, point) / cell),
     };
   },
@@ -75,3 +58,6 @@ export function planeAxes(shape: { readonly normal: Vec3; readonly tangent?: Vec
   const tangent = normalize(subtract(along, scale(normal, dot(normal, along))));
   return { normal, tangent, bitangent: cross(normal, tangent) };
 }
+
+/** At the camera within the first pair of cells, so that the numbers stay small. */
+export const withinPair = (cells: number): number => cells - 2 * Math.round(cells / 2);

@@ -34,7 +34,7 @@ export interface Primitive<F extends Fields, M extends readonly Member[]> {
   /** Whether it has an inside, where light that passes through it is in another medium. */
   readonly closed: boolean;
   /** A record that no ray meets, for the place of an object that is gone: needed where one of zeros is not that. */
-  readonly absent?: RecordValues<M>;
+  readonly absent?: RecordValues<M> | undefined;
   /** What the view must hold, or undefined for what has no end. */
   bounds(shape: Values<F>): Bounds | undefined;
   /** A length that says how large it is, for the scale of the packing. */

@@ -1,10 +1,9 @@
 import { number, vector } from '../fields.ts';
 import { toFrame } from '../frame.ts';
-import { splitParts } from '../split-parts.ts';
-import { length, scale, subtract, type Vec3 } from '../vector.ts';
-import { lowWord } from './flat.ts';
+import { length, subtract, type Vec3 } from '../vector.ts';
 import { definePrimitive } from './primitive.ts';
 
+/** For most scenes; see `any-sphere.ts` for the others. */
 export const sphere = definePrimitive({
   doc: 'A ball. U is the arc from the meridian of +z towards +x, V that from the pole at +y downwards.',
   fields: {
@@ -16,18 +15,11 @@ export const sphere = definePrimitive({
     { name: 'radius2', type: 'float' },
     { name: 'curvature', type: 'float' },
     { name: 'power', type: 'float' },
-    { name: 'cells', type: 'float', when: 'sphereChecker' },
-    { name: 'centerLow', type: 'vec3', when: 'wideRange' },
-    { name: 'half1', type: 'vec3', when: 'wideRange' },
-    { name: 'half2', type: 'vec3', when: 'wideRange' },
-    { name: 'half3', type: 'vec3', when: 'wideRange' },
   ],
-  pack({ center, radius }, frame, { side, checkerSize }) {
+  pack({ center, radius }, frame, { side }) {
     const c = toFrame(frame, center);
     const r = radius * frame.scale;
     const distance = length(c);
-    // The frame has lengths below 2, and `splitParts` takes those up to 1.
-    const [half1, half2, half3] = splitParts(scale(c, 0.5));
     return {
       center: c,
       radius2: r * r,
@@ -35,13 +27,6 @@ export const sphere = definePrimitive({
       curvature: -side / r,
       // The camera's power, |c|² - r², as a product: nothing large cancels next to a planet's surface.
       power: (distance - r) * (distance + r),
-      // Cells along one radian.
-      cells: radius / checkerSize,
-      // What f32 leaves of the centre.
-      centerLow: lowWord(c),
-      half1,
-      half2,
-      half3,
     };
   },
   closed: true,

@@ -100,7 +100,7 @@ function onePdf(emitter: Emitter, from: Vec3, d: Vec3, t: number, cosine: number
     case 'sun':
       return sunPdf(emitter, d);
     case 'sphere':
-      return spherePdf(emitter, from, own);
+      return spherePdf(emitter, from, d, own);
     case 'quad':
       return quadPdf(emitter, from, t, cosine);
     case 'disc':

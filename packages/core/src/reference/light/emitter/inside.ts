@@ -16,13 +16,18 @@ export function aroundDirection(u: readonly [number, number]): Vec3 {
 type Solid = EmitterOf<'sphere' | 'box' | 'cylinder'>;
 
 /** The light from the inner side of a surface that is `distance` away; from a point on it, some directions lead outside. */
-export function insideSample(emitter: Solid, direction: Vec3, distance: number): EmitterSample | undefined {
+export function insideSample(
+  emitter: Solid,
+  direction: Vec3,
+  distance: number,
+  pdf = AROUND_PDF,
+): EmitterSample | undefined {
   if (emitter.side === 'front') return undefined;
   return {
     direction,
     distance: Math.max(distance, 0),
     radiance: distance > 0 ? emitter.radiance : [0, 0, 0],
-    pdf: AROUND_PDF,
+    pdf,
     delta: false,
     object: emitter.object,
   };

@@ -1,6 +1,6 @@
 /** Twin of shaders/light/emitter/sphere.glsl. */
 import type { EmitterOf } from '../../../emitters.ts';
-import { addScaled, dot, length, negate, scale, subtract, type Vec3 } from '../../../vector.ts';
+import { add, addScaled, dot, length, negate, scale, subtract, type Vec3 } from '../../../vector.ts';
 import { coneDirection, conePdf } from './cone.ts';
 import { aroundDirection, insidePdf, insideSample } from './inside.ts';
 import { profileAlong } from './profile.ts';
@@ -14,9 +14,10 @@ export function sphereSample(
 ): EmitterSample | undefined {
   const c = subtract(sphere.center, p);
   const { away, power } = sphereFrom(sphere, c);
-  if (own || power <= 0) {
+  if (own) return acrossSample(sphere, scale(c, 1 / away), u);
+  if (power <= 0) {
     const direction = aroundDirection(u);
-    return insideSample(sphere, direction, sphereExit(sphere, c, own ? 0 : power, direction));
+    return insideSample(sphere, direction, sphereExit(sphere, c, power, direction));
   }
   const direction = coneDirection(scale(c, 1 / away), sphereCone(sphere, away, power), u);
   const along = dot(c, direction);
@@ -32,9 +33,11 @@ export function sphereSample(
   };
 }
 
-export function spherePdf(sphere: EmitterOf<'sphere'>, from: Vec3, own: boolean): number {
-  const { away, power } = sphereFrom(sphere, subtract(sphere.center, from));
-  return own || power <= 0 ? insidePdf(sphere) : conePdf(sphereCone(sphere, away, power));
+export function spherePdf(sphere: EmitterOf<'sphere'>, from: Vec3, direction: Vec3, own: boolean): number {
+  const c = subtract(sphere.center, from);
+  const { away, power } = sphereFrom(sphere, c);
+  if (own) return sphere.side === 'front' ? 0 : Math.max(dot(c, direction), 0) / (Math.PI * away);
+  return power <= 0 ? insidePdf(sphere) : conePdf(sphereCone(sphere, away, power));
 }
 
 /** The radiance along -direction. */
@@ -51,6 +54,20 @@ function sphereFrom({ radius }: EmitterOf<'sphere'>, c: Vec3): { readonly away: 
 function sphereCone({ radius }: EmitterOf<'sphere'>, away: number, power: number): number {
   const sine = radius / away;
   return (sine * sine) / (1 + Math.sqrt(power) / away);
+}
+
+/**
+ * From a point on it, all points of a sphere are equally likely: that is in proportion to the cosine with the way to the
+ * centre, `axis`, as a dull surface scatters light, which then is gathered without noise.
+ */
+function acrossSample(
+  sphere: EmitterOf<'sphere'>,
+  axis: Vec3,
+  u: readonly [number, number],
+): EmitterSample | undefined {
+  const way = add(axis, aroundDirection(u));
+  const size = length(way);
+  return insideSample(sphere, scale(way, 1 / (size || 1)), sphere.radius * size, size / (2 * Math.PI));
 }
 
 /** How far the surface is from a point inside. */
