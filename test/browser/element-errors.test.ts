@@ -73,11 +73,11 @@ const mistakes: { readonly [name: string]: readonly [content: string, ...problem
   ],
   'a field of another kind of light': [
     '<ray-light type="directional" decay="0"></ray-light>',
-    'ray-scene > ray-light: unknown attribute "decay". A directional light takes: name, direction, position, target, color, intensity.',
+    'ray-scene > ray-light: unknown attribute "decay". A directional light takes: name, direction, position, target, color, intensity, angular-diameter.',
   ],
   'an unknown type of light': [
     '<ray-light type="pont"></ray-light>',
-    'ray-scene > ray-light: unknown type "pont" (did you mean "point"?). Types of light: point, directional.',
+    'ray-scene > ray-light: unknown type "pont" (did you mean "point"?). Types of light: point, spot, directional.',
   ],
   'two scenes': [
     '<ray-sphere></ray-sphere><script type="application/json">{}</script>',
@@ -137,7 +137,7 @@ describe('errors of <ray-scene>', () => {
     expect(quiet.lines[0]).to.equal(
       `ray-scene: unknown attribute "exposre" (did you mean "exposure"?). A ray-scene takes: ${known}.`,
     );
-    expect(quiet.lines[1]).to.equal('ray-scene: bounces must be a whole number from 1 to 64, not "none"');
+    expect(quiet.lines[1]).to.equal('ray-scene: bounces must be a whole number from 0 to 64, not "none"');
     expect(quiet.lines[2]).to.match(
       /^ray-scene: background must be "environment", "transparent" or a colour, not "blurple"/,
     );

@@ -74,6 +74,7 @@ describe('paths on the GPU against the reference', function () {
         ball,
       ],
     },
+    'nothing at all': { environment: sky, background: 'teal' },
     'a thin lens': { camera: { ...camera, aperture: 0.2 }, environment: sky, objects: [ball, floor] },
     'an orthographic view': { camera: { ...camera, type: 'orthographic' }, environment: sky, objects: [ball, floor] },
   };

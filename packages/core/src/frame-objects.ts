@@ -3,7 +3,7 @@
 import type { ResolvedCamera } from './camera-frame.ts';
 import { primitiveOf } from './parts.ts';
 import type { Bounds } from './primitives/primitive.ts';
-import { camera as cameraTable, type Scene } from './schema.ts';
+import { type Camera, camera as cameraTable, type Scene } from './schema.ts';
 import { add, addScaled, length, normalize, scale, subtract, type Vec3 } from './vector.ts';
 
 /** From slightly above the front: where one stands before a thing on a table. */
@@ -17,8 +17,9 @@ const MARGIN = 1.05;
  * where a picture of this aspect (width over height) shows their bounding sphere whole.
  */
 export function frameObjects(scene: Scene, aspect: number): ResolvedCamera {
-  const given = { up: cameraTable.fields.up.default, fov: cameraTable.fields.fov.default, ...scene.camera };
-  const { fov, position, target } = given;
+  const { up, fov } = { up: cameraTable.fields.up.default, fov: cameraTable.fields.fov.default, ...scene.camera };
+  const { position, target } = scene.camera ?? {};
+  const given = { up, fov, ...lensOf(scene.camera) };
   if (position) return { ...given, position, target: target ?? [0, 0, 0] };
   const { middle, radius } = boundingSphere(scene);
   const halfHeight = (fov * Math.PI) / 360;
@@ -30,6 +31,12 @@ export function frameObjects(scene: Scene, aspect: number): ResolvedCamera {
     position: addScaled(lookAt, VIEW_DIRECTION, distance + length(subtract(lookAt, middle))),
     target: lookAt,
   };
+}
+
+/** What makes the camera more than a pinhole that looks into a perspective. */
+function lensOf({ type, height, aperture, focusDistance }: Partial<Camera> = {}): Partial<ResolvedCamera> {
+  if (type === 'orthographic') return { type, ...(height === undefined ? {} : { height }) };
+  return aperture ? { aperture, ...(focusDistance === undefined ? {} : { focusDistance }) } : {};
 }
 
 function boundingSphere(scene: Scene): { readonly middle: Vec3; readonly radius: number } {

@@ -68,7 +68,7 @@ function derive(needs: SceneNeeds): Requirements {
     lights: places(needs.lights),
     emitters: needs.emitters,
     // Objects that are written out one by one have a material each.
-    materials: indexed ? roundedUp(needs.materials) : objects,
+    materials: indexed ? roundedUp(Math.max(needs.materials, 1)) : objects,
     features: features.filter((feature) => present.has(feature)),
   };
 }
