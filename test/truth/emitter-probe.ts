@@ -9,6 +9,7 @@ import {
 } from '../../packages/core/src/emitter-record.ts';
 import { emittersGlsl } from '../../packages/core/src/emitter-shader.ts';
 import { type Frame, toFrame } from '../../packages/core/src/frame.ts';
+import { moreParts } from '../../packages/core/src/parts.ts';
 import { pathFiles } from '../../packages/core/src/path-files.ts';
 import type { Lighting } from '../../packages/core/src/reference/light/emitters.ts';
 import { type BlockLayout, blockGlsl, layoutBlock, writeStruct } from '../../packages/core/src/std140.ts';
@@ -82,6 +83,7 @@ function sourceOf(present: readonly Feature[], block: BlockLayout) {
   const name = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').toUpperCase();
   const files = {
     ...glslFiles,
+    ...moreParts().files,
     ...pathFiles,
     'main.glsl': main,
     'generated/scene.glsl': blockGlsl(block),
