@@ -15,6 +15,7 @@ import { eyeRecord, packEye, packSurroundings, type SampleNumber, surroundingsRe
 /** The block `Scene` of a shader with these requirements; `gapless`, see `layoutStruct`. */
 export function sceneLayout(required: Requirements, { gapless = false } = {}): BlockLayout {
   const has = (feature: string): boolean => required.features.some((one) => one === feature);
+  const paths = has('path') ? pathParts() : undefined;
   const material = { name: 'material', type: 'int', when: 'indexed' } as const;
   const struct = (name: string, members: Parameters<typeof layoutStruct>[1]) =>
     layoutStruct(name, members, has, gapless);
@@ -31,8 +32,12 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
       struct: struct(lightRecords[kind].struct, lightRecords[kind].record),
       count: required.lights[kind],
     })),
-    ...(has('path') ? pathParts().emitterEntries(required.features, required.emitters) : []),
-    { name: 'materials', struct: struct('Material', materialRecord), count: required.materials },
+    ...(paths?.emitterEntries(required.features, required.emitters) ?? []),
+    {
+      name: 'materials',
+      struct: struct('Material', [...materialRecord, ...(paths?.materialRecord ?? [])]),
+      count: required.materials,
+    },
     { name: 'surroundings', struct: struct('Surroundings', surroundingsRecord) },
   ]);
 }
@@ -67,16 +72,17 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const indexed = required.features.includes('indexed');
   const wideRange = required.features.includes('wideRange');
   const numbers = objectNumbers(scene, required);
-  const lit = required.features.includes('path')
-    ? pathParts().packEmitters(scene, frame, numbers, required.emitters)
-    : undefined;
+  const paths = required.features.includes('path') ? pathParts() : undefined;
+  const lit = paths?.packEmitters(scene, frame, numbers, required.emitters);
   lit?.emitters.forEach(({ record }, i) => {
     writer.write('emitters', i, record);
   });
   if (lit) writer.write('choice', 0, lit.choice);
   const shining = lit?.emitters.map(({ object }) => scene.objects[object ?? -1]?.material) ?? [];
-  const material = (index: number) =>
-    packMaterial(scene.materials[index] as Material, frame.scale, shining.indexOf(index));
+  const material = (index: number) => {
+    const one = scene.materials[index] as Material;
+    return { ...packMaterial(one), ...paths?.packMaterial(one, frame.scale, shining.indexOf(index)) };
+  };
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;
   for (const kind of shapeKinds) {

@@ -11,6 +11,7 @@ import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import type { Feature, SceneNeeds } from './scene-needs.ts';
+import type { Material } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 
 type AnyPrimitive = Primitive<Fields, readonly Member[]>;
@@ -44,6 +45,9 @@ export interface PathParts {
   needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
   /** What it needs of all that the nodes bring with them. */
   features(needs: SceneNeeds): ReadonlySet<Feature>;
+  /** What is told of materials, besides the rest. `emitter`: a material's place among the emitters, -1 for none. */
+  readonly materialRecord: readonly Member[];
+  packMaterial(material: Material, scale: number, emitter: number): RecordValues<readonly Member[]>;
   /** What the block `Scene` holds of so many emitters. */
   emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[];
   /** The part of a shader that tells kinds of emitters apart. */

@@ -5,6 +5,7 @@ import { emitterTable } from './emitter-table.ts';
 import { sceneEmitters } from './emitters.ts';
 import { type PathParts, registerPaths } from './parts.ts';
 import { pathFiles } from './path-files.ts';
+import { packPathMaterial, pathMaterialRecord } from './path-material.ts';
 import { pathFeatures, pathNeeds } from './path-needs.ts';
 
 const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) => {
@@ -23,6 +24,8 @@ registerPaths({
   files: pathFiles,
   needs: pathNeeds,
   features: pathFeatures,
+  materialRecord: pathMaterialRecord,
+  packMaterial: packPathMaterial,
   emitterEntries,
   emittersGlsl,
   limitsGlsl,
