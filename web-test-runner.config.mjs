@@ -9,6 +9,8 @@ import { compileTypeScript, textModule } from './test/node/compile.mjs';
 import { webkitLauncher } from './test/webkit-launcher.mjs';
 
 const full = process.env.RAY_SCENE_FULL === '1';
+// Long runs look at other scenes each time.
+const seed = Number(process.env.RAY_SCENE_SEED ?? (full ? Date.now() % 2 ** 31 : 1));
 const browsers = await findBrowsers();
 await ensureDisplay(browsers);
 
@@ -38,8 +40,8 @@ export default {
   testsStartTimeout: 60_000,
   testsFinishTimeout: full ? 1_800_000 : 600_000,
   testFramework: { config: { timeout: full ? 600_000 : 30_000 } },
-  // A page has no environment: tests read globalThis.RAY_SCENE_FULL.
+  // A page has no environment: tests read globalThis.RAY_SCENE_FULL and RAY_SCENE_SEED.
   testRunnerHtml: (framework) =>
-    `<!doctype html><script>globalThis.RAY_SCENE_FULL = ${full};</script><script type="module" src="${framework}"></script>`,
+    `<!doctype html><script>globalThis.RAY_SCENE_FULL = ${full}; globalThis.RAY_SCENE_SEED = ${seed};</script><script type="module" src="${framework}"></script>`,
   reporters: [defaultReporter({ reportTestResults: true, reportTestProgress: false }), browserCounts()],
 };

@@ -22,19 +22,20 @@ BoxFrom boxFromCamera(Box s) {
   return BoxFrom(s.low, s.high);
 }
 
-// Along a slab, the line is inside always or never; on its face it is.
-vec2 boxSlab(float low, float high, float d) {
-  float a = low / d;
-  float b = high / d;
-  if (d == 0.0) return low <= 0.0 && high >= 0.0 ? vec2(-MISS, MISS) : vec2(MISS, -MISS);
-  return vec2(min(a, b), max(a, b));
-}
-
+// There are no branches: software rasterisers run both sides of one, and pay for it. Along a slab (d = 0) the quotients are
+// no numbers or endless, and what `mix` does not select has no effect: the line is inside always, or never; on a face it is.
 float boxDistance(Box s, BoxFrom from, vec3 d, float own) {
-  vec2 x = boxSlab(from.low.x, from.high.x, d.x);
-  vec2 y = boxSlab(from.low.y, from.high.y, d.y);
-  vec2 z = boxSlab(from.low.z, from.high.z, d.z);
-  return convexDistance(bothOf(x, bothOf(y, z)), own);
+  vec3 a = from.low / d;
+  vec3 b = from.high / d;
+  bvec3 along = equal(d, vec3(0.0));
+  bvec3 upwards = greaterThan(d, vec3(0.0));
+  vec3 entries = mix(mix(b, a, upwards), vec3(-MISS), along);
+  vec3 exits = mix(mix(a, b, upwards), vec3(MISS), along);
+  vec3 outside = mix(vec3(0.0), max(from.low, -from.high), along);
+  float entry = max(max(entries.x, entries.y), entries.z);
+  float exit = min(min(exits.x, exits.y), exits.z);
+  bool beside = max(max(outside.x, outside.y), outside.z) > 0.0;
+  return convexDistance(vec2(mix(entry, MISS, beside), exit), own);
 }
 
 #ifdef SHADOWS

@@ -1,7 +1,8 @@
 /**
  * `npm run bench -- [--quick] [--scene NAME] [--engine chromium|firefox|webkit] [--json FILE]`: how long it takes to the
  * first picture of each example scene, and for each further sample; and the same for shaders of the same scenes that
- * were written by hand (`floors/NAME.frag`).
+ * were written by hand (`floors/NAME.frag`). With `--primitives` instead: a sample of shapes of each kind, by the engine's
+ * formulas and by those of textbooks.
  */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { parse } from 'node:path';
@@ -12,6 +13,7 @@ import { ensureDisplay } from '../display.mjs';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
+import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
 import { printReport } from './report.ts';
 
 const SCENES = 'examples/scenes';
@@ -30,6 +32,7 @@ const { values: options } = parseArgs({
     scene: { type: 'string' },
     engine: { type: 'string', default: 'chromium' },
     json: { type: 'string' },
+    primitives: { type: 'boolean', default: false },
   },
 });
 
@@ -65,15 +68,30 @@ async function wantedBrowser(): Promise<Browser> {
   return browser;
 }
 
-const scenes = scenesToBench();
+async function benchScenes(browser: Browser, plan: Plan) {
+  const scenes = scenesToBench();
+  const start = () => startBrowser(browser);
+  const result = {
+    machine: await describeMachine(start),
+    plan,
+    bundle: { brotli: bundleSize() },
+    scenes: await measure(start, scenes, plan),
+  };
+  printReport(result);
+  return result;
+}
+
+async function benchPrimitives(browser: Browser, plan: Plan) {
+  const machine = await describeMachine(() => startBrowser(browser));
+  const started = await startBrowser(browser, PRIMITIVES_PAGE);
+  const primitives = await measurePrimitives(started, plan);
+  await started.close();
+  console.log(`${machine.browser}, ${machine.renderer}, load ${machine.load.toFixed(1)}`);
+  printPrimitives(primitives);
+  return { machine, plan, primitives };
+}
+
 const browser = await wantedBrowser();
 const plan = options.quick ? QUICK : THOROUGH;
-const start = () => startBrowser(browser);
-const result = {
-  machine: await describeMachine(start),
-  plan,
-  bundle: { brotli: bundleSize() },
-  scenes: await measure(start, scenes, plan),
-};
-printReport(result);
+const result = await (options.primitives ? benchPrimitives : benchScenes)(browser, plan);
 if (options.json) writeFileSync(options.json, `${JSON.stringify(result, null, 2)}\n`);

@@ -16,16 +16,22 @@ export interface Agreement {
 
 export type PictureSettings = Partial<RenderSettings> & { readonly width: number; readonly height: number };
 
-/** By the integrator `direct`, unless the settings name another. */
-export function agreement(scene: Scene, given: PictureSettings): Agreement {
+/** A picture of the GPU's: the differences of the pixels that f64 is sure of, and how many are above the limit. */
+export function pixelAgreement(picture: Float32Array, scene: Scene, given: PictureSettings) {
   const settings = { integrator: 'direct', ...given } as const;
-  const difference = relativeDifference(drawn(scene, settings), renderReference(scene, settings));
+  const difference = relativeDifference(picture, renderReference(scene, settings));
   const excluded = illConditioned(scene, settings, LIMIT);
-  const judged = [...difference].filter((_, pixel) => !excluded[pixel]);
+  const judged = difference.filter((_, pixel) => !excluded[pixel]);
+  return { judged, off: judged.filter((value) => !(value <= LIMIT)).length, all: difference.length };
+}
+
+/** By the integrator `direct`, unless the settings name another. */
+export function agreement(scene: Scene, settings: PictureSettings): Agreement {
+  const { judged, off, all } = pixelAgreement(drawn(scene, settings), scene, settings);
   return {
-    median: judged.sort((a, b) => a - b)[judged.length >> 1] ?? 0,
-    off: judged.filter((value) => !(value <= LIMIT)).length / judged.length,
-    excluded: 1 - judged.length / difference.length,
+    median: judged.sort()[judged.length >> 1] ?? 0,
+    off: off / judged.length,
+    excluded: 1 - judged.length / all,
   };
 }
 

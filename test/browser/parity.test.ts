@@ -13,7 +13,7 @@ async function sceneFile(name: string): Promise<Scene> {
 describe('GPU against reference', function () {
   this.timeout(60_000);
 
-  for (const name of ['classic', 'hello', 'metals', 'planes', 'planet', 'rings', 'studio']) {
+  for (const name of ['classic', 'eclipse', 'hello', 'metals', 'planes', 'planet', 'rings', 'shells', 'studio']) {
     it(`draws ${name} alike`, async () =>
       name === 'classic' ? agree(name, await sceneFile(name), 10, 4) : agree(name, await sceneFile(name)));
   }
@@ -23,6 +23,21 @@ describe('GPU against reference', function () {
   const sun = { type: 'directional', direction: [1, -2, -1], intensity: 3 };
   const lamp = { type: 'point', position: [2, 3, 4], intensity: 60 };
   const camera = { position: [0.5, 1, 5] };
+
+  /** A shape moved, by whichever places it has. */
+  const placed = ({ type, ...shape }: { type: string }, at: readonly number[]): object => {
+    const places: { readonly [type: string]: object } = {
+      quad: { corner: [0, 0, 0] },
+      cylinder: { base: [0, 0, 0], top: [0.2, 0.6, 0.1] },
+      cone: { base: [0, 0, 0], tip: [0.2, 0.6, 0.1] },
+      triangle: { a: [0, 0, 0], b: [0.6, 0.1, 0], c: [0.2, 0.6, 0.2] },
+    };
+    const moved = Object.entries(places[type] ?? { center: [0, 0, 0] }).map(([name, place]) => [
+      name,
+      (place as number[]).map((x, i) => x + (at[i] as number)),
+    ]);
+    return { type, ...shape, ...Object.fromEntries(moved) };
+  };
 
   const scenes: { readonly [what: string]: object } = {
     'one sphere and one directional light': { camera, lights: [sun], objects: [ball] },
@@ -115,6 +130,19 @@ describe('GPU against reference', function () {
       ],
     },
     'nothing at all': { background: 'teal' },
+    'three of each kind, where places for a fourth are empty': {
+      camera: { position: [0, 2, 9] },
+      lights: [lamp, sun],
+      objects: [
+        { type: 'disc', radius: 0.5 },
+        { type: 'quad' },
+        { type: 'box', size: [0.6, 0.7, 0.8] },
+        { type: 'cylinder', radius: 0.3 },
+        { type: 'cone', radius: 0.4 },
+        { type: 'torus', radius: 0.5, tube: 0.2 },
+        { type: 'triangle' },
+      ].flatMap((shape, row) => [-1, 0, 1].map((column) => placed(shape, [1.2 * column, 0.8 * row - 2.4, -row]))),
+    },
     'more objects and lights than are written out one by one': {
       camera: { position: [0, 3, 9] },
       lights: Array.from({ length: 9 }, (_, i) => ({

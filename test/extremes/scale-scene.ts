@@ -32,10 +32,14 @@ const scaleNode = (node: Json, factor: number): Json =>
 const scaleLight = (light: Json, factor: number): Json => {
   const scaled = scaleNode(light, factor);
   const fades = (light.type ?? 'point') === 'point' && light.decay !== 0;
-  return fades ? { ...scaled, intensity: Number(light.intensity ?? 1) * factor * factor } : scaled;
+  const intensity = Math.min(Number(light.intensity ?? 1) * factor * factor, 1e60);
+  return fades ? { ...scaled, intensity } : scaled;
 };
 
-/** Multiplies all lengths of a scene by a factor, and intensities of lights that fade by its square. */
+/**
+ * Multiplies all lengths of a scene by a factor, and intensities of lights that fade by its square, as far as a file may
+ * say it.
+ */
 export function scaleScene(scene: Json, factor: number): Json {
   const nodes = (key: string): readonly Json[] => (scene[key] as readonly Json[] | undefined) ?? [];
   return {

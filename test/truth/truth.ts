@@ -6,6 +6,7 @@ import { ENGINES } from '../browsers.mjs';
 import { reportCounts } from '../counts.mjs';
 import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tables.ts';
 import { bsdfTables } from './bsdf-tables.ts';
+import { writeDoc } from './doc.ts';
 import { Gpu } from './gpu-side.ts';
 import type { ImageRow } from './images/judge-image.ts';
 import { measureImages } from './images/measure-images.ts';
@@ -29,6 +30,7 @@ Measures the f64 reference and the GPU path against ground truth that this proje
                   a mean standard error of at most 3 times that of the truth, and for z to be as expected
   --pictures DIR  of the images, writes PNG files there: ours, theirs, and the difference in standard errors
   --json FILE     writes all numbers there
+  --doc FILE      writes the table of vectors there: docs/how-exact.md has a place for it
 
 Ends with 1 when a limit is broken.`;
 
@@ -43,6 +45,7 @@ const { values: options } = parseArgs({
     samples: { type: 'string', default: '65536' },
     pictures: { type: 'string' },
     json: { type: 'string' },
+    doc: { type: 'string' },
     help: { type: 'boolean', default: false },
   },
 });
@@ -159,6 +162,7 @@ if (options.help) {
   check('only', options.only, PARTS);
   const truth = await measure();
   printReport(truth);
+  if (options.doc) writeDoc(options.doc, truth);
   if (options.json) writeFileSync(options.json, `${JSON.stringify(truth, null, 2)}\n`);
   const failed = truth.images.filter(({ broken }) => broken.length > 0).length;
   const skipped = truth.images.filter((row) => row.skipped !== null && row.broken.length === 0).length;
