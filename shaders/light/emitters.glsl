@@ -67,6 +67,9 @@ float emitterPdf(int emitter, vec3 from, vec3 d, float t, float cosine, int own)
 
 // The radiance that an emitter sends along -d; a ray with the direction d has met it.
 vec3 emitterRadiance(int emitter, vec3 d) {
+#ifdef IMAGE_EMITTER
+  if (isImage(emitters[emitter])) return imageRadiance(emitters[emitter], d);
+#endif
 #ifdef AIMED_BALL
   return emitters[emitter].strength * profileAlong(emitters[emitter], -d);
 #else

@@ -4,14 +4,24 @@ import { expect } from '@open-wc/testing';
 import type { Vec3 } from '@ray-scene/core';
 import { emitterFeatures } from '../../packages/core/src/emitter-record.ts';
 import { emitterTable } from '../../packages/core/src/emitter-table.ts';
-import type { EmittingScene } from '../../packages/core/src/emitters.ts';
+import type { EmittingScene, ImageEnvironment } from '../../packages/core/src/emitters.ts';
 import type { Frame } from '../../packages/core/src/frame.ts';
 import { emitterPdf, type Lighting, sampleEmitter } from '../../packages/core/src/reference/light/emitters.ts';
 import { tracedShape } from '../../packages/core/src/reference/shape/index.ts';
-import { addScaled, dot, length, subtract } from '../../packages/core/src/vector.ts';
+import { addScaled, dot, length, normalize, subtract } from '../../packages/core/src/vector.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
 import { EmitterProbe, type LightAnswer, type LightQuestion, roundedPoint } from '../truth/emitter-probe.ts';
-import { emittingScene, inside, lightingOf, lights, numbers, outside, shapes } from '../unit/emitter-cases.ts';
+import {
+  emittingScene,
+  inside,
+  lightingOf,
+  lights,
+  numbers,
+  outside,
+  shapes,
+  sky,
+  surroundedBy,
+} from '../unit/emitter-cases.ts';
 
 const COUNT = 1500;
 const frame: Frame = { origin: [0.3, -0.2, 0.7], scale: 1 / 4 };
@@ -60,8 +70,8 @@ function cosineAt({ objects }: EmittingScene, p: Vec3, { object, direction, dist
 }
 
 /**
- * How far answers are from what is right: directions as angles, radiances over the largest, all else relative. On a surface
- * seen edge on, distance and density change by the change of direction over the cosine, which is no mistake.
+ * How far answers are from what is right: directions as angles, radiances over the largest, densities relative, distances
+ * relative or, below 1, over the size of the places that they are the differences of. On a surface seen edge on, distance and density change by the change of direction over the cosine, which is no mistake.
  */
 function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
   const largest = { direction: 0, distance: 0, radiance: 0, pdf: 0, metPdf: 0 };
@@ -76,7 +86,8 @@ function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
     if (!sample) return;
     expect([answer.delta, answer.object]).to.deep.equal([sample.delta, sample.object ?? -1]);
     note('direction', length(subtract(answer.direction, sample.direction)));
-    note('distance', cosine * relative(answer.distance / frame.scale, Math.min(sample.distance, FAR / frame.scale)));
+    const right = Math.min(sample.distance, FAR / frame.scale);
+    note('distance', (cosine * Math.abs(answer.distance / frame.scale - right)) / Math.max(right, 1));
     note('radiance', length(subtract(answer.radiance, sample.radiance)) / peak);
     note('pdf', cosine * relative(answer.pdf, sample.pdf));
     note('metPdf', relative(answer.metPdf, metPdf));
@@ -149,6 +160,39 @@ describe('lights on the GPU', function () {
       { ...scene, objects: scene.objects.map((object, i) => (i === 0 ? { ...object, light: 0 } : object)) },
       around,
     );
+  });
+
+  it('are those of the reference: an image of the surroundings', () => {
+    for (const [width, height] of [
+      [64, 32],
+      [100, 50],
+      [1, 1],
+    ] as const) {
+      check(surroundedBy(sky(width, height), 2, 123), around);
+      const scene = emittingScene(Object.values(lights), [shapes.disc]);
+      check({ ...scene, environment: surroundedBy(sky(width, height)).environment as ImageEnvironment }, around);
+    }
+  });
+
+  it('are those of the reference for a point on the light itself', () => {
+    for (const [name, p] of Object.entries(inside)) {
+      const shape = shapes[name as keyof typeof shapes];
+      const direction = normalize([0.3, -0.5, 0.8]);
+      const onIt = addScaled(p, direction, tracedShape(shape).distance(shape, { origin: p, direction }, false));
+      check(emittingScene([], [shape]), [{ p: onIt, own: 0 }]);
+    }
+  });
+
+  it('are those of the reference where they are very small', () => {
+    const small = [
+      { type: 'sphere', center: [1, 2, -1], radius: 1e-5 },
+      { type: 'quad', corner: [1, 2, -1], edgeU: [1e-5, 0, 0], edgeV: [0, 0, 1e-5] },
+      { type: 'disc', center: [1, 2, -1], normal: [0, 1, 0], radius: 1e-5 },
+      { type: 'triangle', a: [1, 2, -1], b: [1.00001, 2, -1], c: [1, 2, -1.00001] },
+      { type: 'box', center: [1, 2, -1], size: [1e-4, 1e-4, 1e-4] },
+      { type: 'cylinder', base: [1, 2, -1], top: [1, 2.001, -1], radius: 1e-4 },
+    ];
+    for (const shape of small) check(emittingScene([], [shape]), around);
   });
 
   it('are numbers wherever they are asked for', () => {

@@ -1,4 +1,5 @@
 /** Asks the shaders' functions of lights, fed by the real packing. */
+import '@ray-scene/core/parts';
 import { assembleGlsl, type Feature, features, glslFiles, type Vec3 } from '@ray-scene/core';
 import {
   ABSENT_EMITTER,
@@ -67,13 +68,18 @@ export class EmitterProbe {
     this.#buffers.write(packed(lighting, frame, block, capacity), 0);
     const asked = askedTexture(gl, questions);
     gl.uniform1i(program.uniform('asked'), 0);
+    const images = imageTextures(gl, lighting, program);
     const target = createTarget(gl, questions.length, 4);
-    gl.bindTexture(gl.TEXTURE_2D, asked);
+    [asked, ...images].forEach((texture, unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    });
+    gl.activeTexture(gl.TEXTURE0);
     gl.viewport(0, 0, questions.length, 4);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     const pixels = target.read();
     target.dispose();
-    gl.deleteTexture(asked);
+    for (const texture of [asked, ...images]) gl.deleteTexture(texture);
     program.dispose();
     return questions.map((_, i) => answerAt(pixels, questions.length, i));
   }
@@ -118,10 +124,32 @@ function askedTexture(gl: WebGL2RenderingContext, questions: readonly LightQuest
       numbers.set(row, 4 * (j * width + i));
     });
   });
+  return floatTexture(gl, width, 4, 4, numbers);
+}
+
+/** The image of the surroundings, if there is one, and what it is chosen from by; they are in the units 1 and 2. */
+function imageTextures(gl: WebGL2RenderingContext, { emitters }: Lighting, program: Program): readonly WebGLTexture[] {
+  const image = emitters.map((one) => (one.kind === 'image' ? one.image : undefined)).find((one) => one);
+  if (!image) return [];
+  gl.uniform1i(program.uniform('environmentTexels'), 1);
+  gl.uniform1i(program.uniform('environmentChoices'), 2);
+  return [
+    floatTexture(gl, image.width, image.height, 4, image.texels),
+    floatTexture(gl, image.width + 1, image.height, 2, image.choices),
+  ];
+}
+
+function floatTexture(
+  gl: WebGL2RenderingContext,
+  width: number,
+  height: number,
+  channels: 2 | 4,
+  numbers: Float32Array,
+): WebGLTexture {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, 4);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, 4, gl.RGBA, gl.FLOAT, numbers);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, channels === 4 ? gl.RGBA32F : gl.RG32F, width, height);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, channels === 4 ? gl.RGBA : gl.RG, gl.FLOAT, numbers);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   return texture;

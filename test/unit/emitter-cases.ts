@@ -1,7 +1,8 @@
 /** Emitters, and points to look at them from: for the tests of the reference, and of the shaders against it. */
 import type { Vec3 } from '@ray-scene/core';
 import { emitterTable } from '../../packages/core/src/emitter-table.ts';
-import { type Emitter, type EmittingScene, sceneEmitters } from '../../packages/core/src/emitters.ts';
+import { type EmittingScene, sceneEmitters } from '../../packages/core/src/emitters.ts';
+import type { EnvironmentImage } from '../../packages/core/src/environment-image.ts';
 import { type Lighting, sampleEmitter } from '../../packages/core/src/reference/light/emitters.ts';
 
 type Side = 'front' | 'back' | 'both';
@@ -98,4 +99,20 @@ export function average(
   return { mean, error: Math.sqrt(Math.max(squares / n - mean * mean, 0) / n) };
 }
 
-export const isShape = (emitter: Emitter): emitter is Extract<Emitter, { object: number }> => 'object' in emitter;
+/** A sky with a sun of one texel in it, dark below but for a few texels. */
+export function sky(width: number, height: number): EnvironmentImage {
+  const next = numbers(31);
+  const data = Float32Array.from({ length: 3 * width * height }, (_, i) => {
+    const texel = Math.floor(i / 3);
+    const row = Math.floor(texel / width);
+    if (row === 2 && texel % width === 5) return 3000;
+    return row < height / 2 ? 0.2 + next() : next() > 0.99 ? 3 : 0;
+  });
+  return { width, height, data };
+}
+
+/** A scene in which nothing but an image shines. */
+export const surroundedBy = (image: EnvironmentImage, intensity = 1, rotation = 0): EmittingScene => ({
+  ...emittingScene([], []),
+  environment: { kind: 'image', image, intensity, rotation },
+});

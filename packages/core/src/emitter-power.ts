@@ -34,6 +34,8 @@ export function emitterPower(emitter: BareEmitter, { center, radius }: Ball): nu
       return mean(emitter.irradiance) * section;
     case 'sun':
       return mean(emitter.radiance) * Math.PI * emitter.cone * (2 - emitter.cone) * section;
+    case 'image':
+      return emitter.image.irradiance * emitter.intensity * section;
     case 'point':
       return 4 * Math.PI * mean(emitter.intensity) * share(emitter.position);
     case 'spot':

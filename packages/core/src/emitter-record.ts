@@ -41,6 +41,7 @@ export const emitterRecord = [
   { name: 'perPenumbra', type: 'float', when: 'aimed' },
   { name: 'height', type: 'float', when: 'cylinderEmitter' },
   { name: 'cone', type: 'float', when: 'sunEmitter' },
+  { name: 'turn', type: 'float', when: 'imageEmitter' },
   { name: 'decays', type: 'float', when: 'fading steadyEmitter' },
   { name: 'probability', type: 'float', when: 'severalEmitters' },
   { name: 'threshold', type: 'float', when: 'severalEmitters' },
@@ -129,6 +130,7 @@ export const ABSENT_EMITTER: Values = {
   perPenumbra: 1,
   height: 0,
   cone: 1,
+  turn: 0,
   decays: 1,
   probability: 0,
   threshold: 0,
@@ -145,6 +147,8 @@ function strengthOf(emitter: Emitter, { scale: unit }: Frame): Vec3 {
       return limited(scale(emitter.intensity, emitter.decay === 2 ? unit * unit : 1));
     case 'directional':
       return limited(emitter.irradiance);
+    case 'image':
+      return limited([emitter.intensity, emitter.intensity, emitter.intensity]);
     default:
       return limited(emitter.radiance);
   }
@@ -171,6 +175,8 @@ function placeOf(emitter: Emitter, frame: Frame): Partial<Values> {
       return { axis: emitter.toLight };
     case 'sun':
       return { axis: emitter.toLight, cone: emitter.cone };
+    case 'image':
+      return { turn: emitter.turn - Math.floor(emitter.turn) };
     case 'sphere':
       return { ...at(emitter.center), radius: emitter.radius * frame.scale };
     case 'disc':

@@ -1,6 +1,7 @@
 /** The part of a shader that tells the kinds of emitters apart: none of it for a scene with but one kind. */
 import { presentEmitters } from './emitter-record.ts';
 import { type EmitterKind, emitterKinds } from './emitters.ts';
+import { structName } from './pack-scene.ts';
 import { ROULETTE_FROM } from './path-needs.ts';
 import type { Requirements } from './requirements.ts';
 import type { Feature } from './scene-needs.ts';
@@ -17,11 +18,15 @@ EmitterSample sampleOf(Emitter e, vec3 p, vec2 u, bool own) {
 ${forKind(kinds, (kind) => `return ${kind}Sample(e, p, u, own);`)}}
 float pdfOf(Emitter e, vec3 from, vec3 d, float t, float cosine, bool own) {
 ${forKind(kinds, (kind) => (POINTS.includes(kind) ? 'return 0.0;' : `return ${kind}Pdf(e, from, d, t, cosine, own);`))}}
-${kinds.includes('sun') ? isSunGlsl(kinds) : ''}`;
+${isKindGlsl(kinds, 'sun')}${isKindGlsl(kinds, 'image')}`;
 }
 
-const isSunGlsl = (kinds: readonly EmitterKind[]): string =>
-  `bool isSun(Emitter e) {\n  return ${kinds.length > 1 ? `e.kind == ${emitterKinds.indexOf('sun')}` : 'true'};\n}\n`;
+/** `isSun(Emitter e)`, where there are suns. */
+function isKindGlsl(kinds: readonly EmitterKind[], kind: EmitterKind): string {
+  if (!kinds.includes(kind)) return '';
+  const test = kinds.length > 1 ? `e.kind == ${emitterKinds.indexOf(kind)}` : 'true';
+  return `bool is${structName(kind)}(Emitter e) {\n  return ${test};\n}\n`;
+}
 
 function forKind(kinds: readonly EmitterKind[], statement: (kind: EmitterKind) => string): string {
   const lines = kinds.map((kind, i) => {

@@ -1,5 +1,6 @@
 /** What can be asked for light: point-like lights, suns and objects that shine, in f64 and scene coordinates. */
 import { emitterPower, litBall } from './emitter-power.ts';
+import { type EnvironmentImage, type ImageTable, imageTable } from './environment-image.ts';
 import { directionToLight } from './light-records.ts';
 import type { ShapeKind } from './primitives/index.ts';
 import type { Shape } from './schema.ts';
@@ -47,6 +48,8 @@ interface EmitterKinds {
   triangle: Shining & Pick<Shape<'triangle'>, 'a' | 'b' | 'c'>;
   box: Shining & Pick<Shape<'box'>, 'center' | 'size'>;
   cylinder: Shining & Pick<Shape<'cylinder'>, 'base' | 'top' | 'radius'>;
+  /** The surroundings: an image times the intensity, turned about +y, counterclockwise from above, by `turn` of a full turn. */
+  image: { readonly image: ImageTable; readonly intensity: number; readonly turn: number };
 }
 
 export type EmitterKind = keyof EmitterKinds;
@@ -62,6 +65,7 @@ export const emitterKinds = [
   'triangle',
   'box',
   'cylinder',
+  'image',
 ] as const satisfies readonly EmitterKind[];
 
 export type BareEmitter = { [K in EmitterKind]: { readonly kind: K } & EmitterKinds[K] }[EmitterKind];
@@ -105,17 +109,30 @@ export interface EmittingScene {
     /** Index of the light that the object is the ball of. */
     readonly light?: number;
   }[];
+  readonly environment?: ImageEnvironment | { readonly kind: 'constant' | 'gradient' };
+}
+
+/** Surroundings that are an image. */
+export interface ImageEnvironment {
+  readonly kind: 'image';
+  readonly image: EnvironmentImage;
+  readonly intensity: number;
+  /** In degrees about +y, counterclockwise from above. */
+  readonly rotation: number;
 }
 
 /**
- * The emitters of a scene: lights in their order (but for those that are balls), then objects. Planes, cones and tori
- * that shine are not among them: paths meet those by chance.
+ * The emitters of a scene: lights in their order (but for those that are balls), then objects, then surroundings that are
+ * an image. Other surroundings, and planes, cones and tori that shine, are not among them: paths meet those by chance.
  */
 export function sceneEmitters(scene: EmittingScene): readonly Emitter[] {
   const points = scene.lights.filter((light) => light.type === 'directional' || !light.radius).map(lightEmitter);
   const shining = scene.objects.flatMap((_, object) => objectEmitter(scene, object));
   const ball = litBall(scene);
-  return [...points, ...shining].map((emitter) => ({ ...emitter, power: emitterPower(emitter, ball) }));
+  return [...points, ...shining, ...surroundings(scene)].map((emitter) => ({
+    ...emitter,
+    power: emitterPower(emitter, ball),
+  }));
 }
 
 const lightEmitter = (light: EmittingLight): BareEmitter =>
@@ -143,6 +160,18 @@ function distantEmitter(light: DirectionalLight): BareEmitter {
   const radiance = scale(irradiance, 1 / (Math.PI * Math.sin(half) ** 2));
   return { kind: 'sun', toLight, radiance, cone: 2 * Math.sin(half / 2) ** 2 };
 }
+
+const surroundings = ({ environment }: EmittingScene): readonly BareEmitter[] =>
+  environment?.kind === 'image'
+    ? [
+        {
+          kind: 'image',
+          image: imageTable(environment.image),
+          intensity: environment.intensity,
+          turn: environment.rotation / 360,
+        },
+      ]
+    : [];
 
 /** The emitter that an object is, if it is one. */
 function objectEmitter({ lights, materials, objects }: EmittingScene, object: number): readonly BareEmitter[] {

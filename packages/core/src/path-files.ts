@@ -7,6 +7,7 @@ import emitterCone from '../../../shaders/light/emitter/cone.glsl';
 import emitterCylinder from '../../../shaders/light/emitter/cylinder.glsl';
 import emitterDirectional from '../../../shaders/light/emitter/directional.glsl';
 import emitterDisc from '../../../shaders/light/emitter/disc.glsl';
+import emitterImage from '../../../shaders/light/emitter/image.glsl';
 import emitterInside from '../../../shaders/light/emitter/inside.glsl';
 import emitterPlaced from '../../../shaders/light/emitter/placed.glsl';
 import emitterPoint from '../../../shaders/light/emitter/point.glsl';
@@ -19,6 +20,7 @@ import emitterSpot from '../../../shaders/light/emitter/spot.glsl';
 import emitterSun from '../../../shaders/light/emitter/sun.glsl';
 import emitterTriangle from '../../../shaders/light/emitter/triangle.glsl';
 import emitters from '../../../shaders/light/emitters.glsl';
+import environmentImage from '../../../shaders/light/environment-image.glsl';
 import bsdf from '../../../shaders/material/bsdf.glsl';
 import dielectric from '../../../shaders/material/dielectric.glsl';
 import fresnel from '../../../shaders/material/fresnel.glsl';
@@ -41,6 +43,7 @@ export const pathFiles: { readonly [file: string]: string } = {
   'light/emitter/cylinder.glsl': emitterCylinder,
   'light/emitter/directional.glsl': emitterDirectional,
   'light/emitter/disc.glsl': emitterDisc,
+  'light/emitter/image.glsl': emitterImage,
   'light/emitter/inside.glsl': emitterInside,
   'light/emitter/placed.glsl': emitterPlaced,
   'light/emitter/point.glsl': emitterPoint,
@@ -53,6 +56,7 @@ export const pathFiles: { readonly [file: string]: string } = {
   'light/emitter/sun.glsl': emitterSun,
   'light/emitter/triangle.glsl': emitterTriangle,
   'light/emitters.glsl': emitters,
+  'light/environment-image.glsl': environmentImage,
   'material/bsdf.glsl': bsdf,
   'material/dielectric.glsl': dielectric,
   'material/fresnel.glsl': fresnel,

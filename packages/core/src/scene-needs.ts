@@ -57,6 +57,7 @@ export const features = [
   'triangleEmitter',
   'boxEmitter',
   'cylinderEmitter',
+  'imageEmitter',
   'severalEmitters',
   // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
   'steadyEmitter',

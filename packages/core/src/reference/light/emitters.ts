@@ -7,6 +7,7 @@ import { boxPdf, boxSample } from './emitter/box.ts';
 import { cylinderPdf, cylinderSample } from './emitter/cylinder.ts';
 import { directionalSample } from './emitter/directional.ts';
 import { discPdf, discSample } from './emitter/disc.ts';
+import { imagePdf, imageRadiance, imageSample } from './emitter/image.ts';
 import { pointSample } from './emitter/point.ts';
 import { quadPdf, quadSample } from './emitter/quad.ts';
 import type { EmitterSample } from './emitter/sample.ts';
@@ -77,6 +78,7 @@ export function emitterPdf(
 /** The radiance that an emitter sends along -direction; a ray with that direction has met it. */
 export function emitterRadiance(emitter: Emitter, direction: Vec3): Vec3 {
   if (emitter.kind === 'sphere') return sphereRadiance(emitter, direction);
+  if (emitter.kind === 'image') return imageRadiance(emitter, direction);
   return 'radiance' in emitter ? emitter.radiance : [0, 0, 0];
 }
 
@@ -93,6 +95,7 @@ const samples: { readonly [K in Emitter['kind']]: Sample<EmitterOf<K>> } = {
   triangle: triangleSample,
   box: boxSample,
   cylinder: cylinderSample,
+  image: imageSample,
 };
 
 function onePdf(emitter: Emitter, from: Vec3, d: Vec3, t: number, cosine: number, own: boolean): number {
@@ -111,6 +114,8 @@ function onePdf(emitter: Emitter, from: Vec3, d: Vec3, t: number, cosine: number
       return boxPdf(emitter, from, t, cosine, own);
     case 'cylinder':
       return cylinderPdf(emitter, from, t, cosine, own);
+    case 'image':
+      return imagePdf(emitter, d);
     default:
       return 0;
   }

@@ -1,0 +1,92 @@
+/**
+ * An image of the surroundings, and the table by which directions are drawn from it: the brighter, the likelier.
+ * Orientation as in three.js: direction (x, y, z) is at u = atan2(z, x) / 2π + ½, from the left, and v = acos(y) / π, from
+ * the top. Texel centres are at (i + ½) / width and (j + ½) / height; between them colours are linear, across the left and
+ * right edge too.
+ */
+import { aliasTable } from './emitter-table.ts';
+
+export interface EnvironmentImage {
+  readonly width: number;
+  readonly height: number;
+  /** Linear RGB, the top row first. */
+  readonly data: Float32Array;
+}
+
+/** What shader and reference read of an image, both the same numbers. */
+export interface ImageTable {
+  readonly width: number;
+  readonly height: number;
+  /** For each texel its colour, and how much likelier than the average it is that its square of the image is chosen. */
+  readonly texels: Float32Array;
+  /** Rows of width + 1 pairs: threshold and alias of each texel within its row; in the last place those of the row. */
+  readonly choices: Float32Array;
+  /** The integral of the radiance over all directions, in the mean of the channels. */
+  readonly irradiance: number;
+}
+
+const tables = new WeakMap<EnvironmentImage, ImageTable>();
+
+/** The table of an image, which is made once. */
+export function imageTable(image: EnvironmentImage): ImageTable {
+  const known = tables.get(image) ?? makeTable(image);
+  tables.set(image, known);
+  return known;
+}
+
+function makeTable(image: EnvironmentImage): ImageTable {
+  const { width, height } = image;
+  const weights = texelWeights(image);
+  const rowSums = Array.from({ length: height }, (_, j) =>
+    weights.subarray(j * width, (j + 1) * width).reduce((sum, weight) => sum + weight, 0),
+  );
+  const rows = aliasTable(rowSums);
+  const texels = new Float32Array(4 * width * height);
+  const choices = new Float32Array(2 * (width + 1) * height);
+  for (let j = 0; j < height; j++) {
+    const columns = aliasTable([...weights.subarray(j * width, (j + 1) * width)]);
+    const start = 2 * (width + 1) * j;
+    for (let i = 0; i < width; i++) {
+      const at = j * width + i;
+      texels.set(colorAt(image, at), 4 * at);
+      texels[4 * at + 3] = (columns.probabilities[i] as number) * (rows.probabilities[j] as number) * width * height;
+      choices[start + 2 * i] = columns.thresholds[i] as number;
+      choices[start + 2 * i + 1] = columns.aliases[i] as number;
+    }
+    choices[start + 2 * width] = rows.thresholds[j] as number;
+    choices[start + 2 * width + 1] = rows.aliases[j] as number;
+  }
+  const total = rowSums.reduce((sum, weight) => sum + weight, 0);
+  return { width, height, texels, choices, irradiance: (2 * Math.PI * total) / width };
+}
+
+/** Light that is no number is none. */
+const colorAt = ({ data }: EnvironmentImage, texel: number): readonly [number, number, number] => {
+  const channel = (i: number): number => Math.min(Math.max(data[3 * texel + i] || 0, 0), LARGEST);
+  return [channel(0), channel(1), channel(2)];
+};
+
+/** As much as a shader takes. */
+const LARGEST = 1e30;
+
+/**
+ * The mean of the channels over the square of each texel, times the solid angle of its row over 2π. It is the exact mean
+ * of what is linear between centres (⅛, ¾, ⅛ of the texels beside each other), so no square with light has no weight.
+ */
+function texelWeights(image: EnvironmentImage): Float64Array {
+  const { width, height } = image;
+  const means = Float64Array.from({ length: width * height }, (_, i) => {
+    const [r, g, b] = colorAt(image, i);
+    return (r + g + b) / 3;
+  });
+  const blur = (at: (step: number) => number): number => (at(-1) + 6 * at(0) + at(1)) / 8;
+  const across = means.map((_, texel) => {
+    const [i, start] = [texel % width, texel - (texel % width)];
+    return blur((step) => means[start + ((i + step + width) % width)] as number);
+  });
+  return across.map((_, texel) => {
+    const [i, j] = [texel % width, Math.floor(texel / width)];
+    const mean = blur((step) => across[Math.min(Math.max(j + step, 0), height - 1) * width + i] as number);
+    return 2 * mean * Math.sin((Math.PI * (j + 0.5)) / height) * Math.sin(Math.PI / (2 * height));
+  });
+}
