@@ -70,8 +70,9 @@ function cosineAt({ objects }: EmittingScene, p: Vec3, { object, direction, dist
 }
 
 /**
- * How far answers are from what is right: directions as angles, radiances over the largest, densities relative, distances
- * relative or, below 1, over the size of the places that they are the differences of. On a surface seen edge on, distance and density change by the change of direction over the cosine, which is no mistake.
+ * How far answers are from what is right: directions as angles (of what is nearer than 1, as ways across), radiances over the
+ * largest, densities relative, distances relative or, below 1, as they are. On a surface seen edge on, distance and density
+ * change by the change of direction over the cosine, which is no mistake.
  */
 function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
   const largest = { direction: 0, distance: 0, radiance: 0, pdf: 0, metPdf: 0 };
@@ -85,8 +86,8 @@ function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
     expect(answer.pdf > 0).to.equal(!!sample);
     if (!sample) return;
     expect([answer.delta, answer.object]).to.deep.equal([sample.delta, sample.object ?? -1]);
-    note('direction', length(subtract(answer.direction, sample.direction)));
     const right = Math.min(sample.distance, FAR / frame.scale);
+    note('direction', Math.min(right, 1) * length(subtract(answer.direction, sample.direction)));
     note('distance', (cosine * Math.abs(answer.distance / frame.scale - right)) / Math.max(right, 1));
     note('radiance', length(subtract(answer.radiance, sample.radiance)) / peak);
     note('pdf', cosine * relative(answer.pdf, sample.pdf));

@@ -3,9 +3,10 @@
 
 const float AROUND_PDF = 0.0795774715;
 
-// A unit vector.
+// A unit vector. The smaller of u and 1 - u is the factor, so that u - u², which a compiler may make of it, cancels nothing.
 vec3 aroundDirection(vec2 u) {
-  return vec3(2.0 * sqrt(u.x * (1.0 - u.x)) * circle(u.y), 1.0 - 2.0 * u.x);
+  float fromPole = min(u.x, 1.0 - u.x);
+  return vec3(2.0 * sqrt(fromPole * (1.0 - fromPole)) * circle(u.y), 1.0 - 2.0 * u.x);
 }
 
 // The light from the inner side of a surface that is `distance` away; from a point on it, some directions lead outside.
