@@ -10,6 +10,7 @@ export {
   RaySceneProgressEvent,
 } from './events.ts';
 export type { RaySceneIntrinsicElements } from './jsx.ts';
+export type { Picked } from './pick.ts';
 export { RayScene } from './ray-scene.ts';
 export type { RenderStats, StopReason } from './renderer.ts';
 export { SceneElement, type SceneElementTagNameMap, sceneElements } from './scene-elements.ts';

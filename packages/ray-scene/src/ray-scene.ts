@@ -4,8 +4,11 @@ import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
 import { Orbit, type OrbitHost } from './orbit.ts';
+import type { Picked } from './pick.ts';
 import { Picture } from './picture.ts';
+import { Pointing } from './pointing.ts';
 import { ProgressReport } from './progress-report.ts';
+import type { Markup } from './read-markup.ts';
 import { type RenderStats, WebGLUnavailableError } from './renderer.ts';
 import { ErrorReport } from './report.ts';
 import type { SceneHost } from './scene-elements.ts';
@@ -77,6 +80,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   #scene: Scene | undefined;
   #json = '';
   #origin = '';
+  #markup: Markup | undefined;
   /** What keeps the scene from being drawn. */
   #failure: Error | undefined;
   /** Whether something on the element itself has changed. */
@@ -149,6 +153,18 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     return this.#picture?.readRadiance() ?? new Float32Array();
   }
 
+  /** What is seen at a point of the page, in client coordinates as those of a pointer event; where there is anything. */
+  async pick(x: number, y: number): Promise<Picked | undefined> {
+    const box = canvasOf(this)?.getBoundingClientRect();
+    await this.ready;
+    return box && (await import('./pick.ts')).pick(this, box, x, y);
+  }
+
+  /** The child element that a node of the scene, as ['objects', 2], was read from. */
+  elementOf(path: Problem['path']): Element | undefined {
+    return this.#markup?.elementOf(path);
+  }
+
   /** For the elements of the scene. */
   markupChanged(): void {
     this.#source.touch();
@@ -173,6 +189,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
     const root = super.createRenderRoot() as ShadowRoot;
     this.#shadow = new ShadowTree(root);
+    new Pointing(this, this.#shadow.canvas);
     return root;
   }
 
@@ -228,8 +245,11 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const words = { locate: () => this.localName, field: 'attribute', spell: attributeOf };
     const own = judge('attributes', { background: this.background ?? undefined }, words);
     this.#ownProblems = [...this.attributeProblems, ...own.problems];
-    const { scene, origin } = this.#reading ?? {};
-    if (scene && origin) this.#adopt(scene, origin, own.scene?.background);
+    const { scene, origin, markup } = this.#reading ?? {};
+    if (scene && origin) {
+      this.#markup = markup;
+      this.#adopt(scene, origin, own.scene?.background);
+    }
     this.#tell();
   }
 

@@ -10,6 +10,8 @@ export interface Markup {
   readonly words: SourceWords;
   /** What is wrong with the elements themselves. */
   readonly problems: readonly Problem[];
+  /** The element that a node was read from. */
+  elementOf(path: Problem['path']): Element | undefined;
 }
 
 /** Whether a child of `<ray-scene>` is meant to be a part of the scene; anything else is content for people. */
@@ -57,7 +59,7 @@ function nearestTag(typed: string): string | undefined {
 class MarkupReader implements Markup {
   readonly problems: Problem[] = [];
   readonly words: SourceWords = {
-    locate: (path) => place(this.#scene, this.#elements.get(key(path)) ?? this.#scene),
+    locate: (path) => place(this.#scene, this.elementOf(path) ?? this.#scene),
     field: 'attribute',
     spell: attributeOf,
   };
@@ -70,6 +72,10 @@ class MarkupReader implements Markup {
 
   constructor(scene: Element) {
     this.#scene = scene;
+  }
+
+  elementOf(path: Problem['path']): Element | undefined {
+    return this.#elements.get(key(path));
   }
 
   get input(): object {

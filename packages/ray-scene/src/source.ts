@@ -1,7 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
 import { jsonPath, type Problem, parseScene, type Scene, SceneError, type SourceWords } from '@ray-scene/core';
 import { Download } from './download.ts';
-import { isSceneMarkup, readMarkup } from './read-markup.ts';
+import { isSceneMarkup, type Markup, readMarkup } from './read-markup.ts';
 
 export interface SourceHost extends ReactiveControllerHost, HTMLElement {
   readonly src: string | null;
@@ -14,6 +14,8 @@ export interface Reading {
   readonly origin: string;
   readonly scene?: Scene;
   readonly problems: readonly Problem[];
+  /** If it was read from child elements. */
+  readonly markup?: Markup;
 }
 
 /** Where the scene comes from: the last one assigned, else `src`, else an inline script, else child elements. */
@@ -93,8 +95,8 @@ export class SceneSource implements ReactiveController {
     if (src) return this.#downloaded(src);
     this.#stop();
     if (scripts[0]) return judge('script', scripts[0].textContent, jsonIn(`${localName} > script`));
-    const { input, words, problems } = readMarkup(this.#host);
-    return judge('children', input, words, problems);
+    const markup = readMarkup(this.#host);
+    return { ...judge('children', markup.input, markup.words, markup.problems), markup };
   }
 
   #downloaded(src: string): Reading | undefined {

@@ -1,13 +1,15 @@
 /** The nearest intersection of a ray with a scene, in f64: for picking and for tests. */
-import { resolveScene } from '../resolve-scene.ts';
+import { type ResolvedScene, resolveScene } from '../resolve-scene.ts';
 import type { Scene } from '../schema.ts';
 import { addScaled, type Vec3 } from '../vector.ts';
 import { nearest } from './nearest.ts';
 import { tracedShape } from './shape/index.ts';
 
 export interface Intersection {
-  /** Index in `scene.objects`. */
+  /** Index in `scene.objects`; -1: the visible ball of a light. */
   readonly object: number;
+  /** Of such a ball, the index of its light in `scene.lights`. */
+  readonly light?: number;
   /** In units of the direction's length: the point is origin + t direction. */
   readonly t: number;
   readonly position: Vec3;
@@ -20,11 +22,21 @@ export function intersect(
   scene: Scene,
   ray: { readonly origin: Vec3; readonly direction: Vec3 },
 ): Intersection | undefined {
-  const resolved = resolveScene(scene);
+  const resolved = resolvedOf(scene);
   const hit = nearest(resolved, ray);
   const object = hit && resolved.objects[hit.object];
   if (!object) return undefined;
   const position = addScaled(ray.origin, ray.direction, hit.t);
   const normal = tracedShape(object.shape).normal(object.shape, position);
-  return { object: object.index, t: hit.t, position, normal };
+  const light = object.light === undefined ? {} : { light: object.light };
+  return { object: object.index, ...light, t: hit.t, position, normal };
+}
+
+/** Whoever follows a pointer asks for the same scene again and again; scenes are frozen, so one answer is enough. */
+const resolvedScenes = new WeakMap<Scene, ResolvedScene>();
+
+function resolvedOf(scene: Scene): ResolvedScene {
+  const resolved = resolvedScenes.get(scene) ?? resolveScene(scene);
+  resolvedScenes.set(scene, resolved);
+  return resolved;
 }
