@@ -34,7 +34,7 @@ vec3 reflection(Bsdf b, vec3 wo, vec3 wi, float density, Split s, float facets, 
   pdf = 0.0;
 #ifdef OPAQUE_BASE
   float even = INVERSE_PI * wi.z;
-  value = even * s.diffuse;
+  value = even * diffuseBetween(b, s, wo, wi);
   pdf = even * (1.0 - facets);
 #endif
 #ifdef ROUGH

@@ -151,24 +151,34 @@ Split splitAt(Bsdf b, float cosine) {
   return s;
 }
 
+#ifdef OPAQUE_BASE
+// What is scattered below the surface, from wi to wo. glTF has it lose by the half vector alone, and so gives back more
+// than arrives where the layer reflects much and facets turned to the light do not: inside of what is partly let through,
+// where total reflection keeps light, without bounds. There it loses by the angles of both directions too.
+vec3 diffuseBetween(Bsdf b, Split s, vec3 wo, vec3 wi) {
+#ifdef TRANSMISSION
+  if (b.transmission > 0.0) return min(s.diffuse, min(splitAt(b, wo.z).diffuse, splitAt(b, wi.z).diffuse));
+#endif
+  return s.diffuse;
+}
+#endif
+
 // Probability of not drawing from the diffuse lobe, which is drawn from in proportion to the albedos of the lobes. What
-// gets under the layer is taken straight on there, since light that is scattered diffusely meets facets that are turned
-// towards it.
+// gets under an opaque layer is taken straight on there, since light that is scattered diffusely meets facets that are
+// turned towards it.
 float facetProbability(Bsdf b, float cosine) {
 #ifdef OPAQUE_BASE
+  Split s = splitAt(b, cosine);
   float diffuse = sum(b.color);
 #ifdef METAL
   diffuse *= 1.0 - b.metalness;
 #endif
-#ifdef TRANSMISSION
-  diffuse *= 1.0 - b.transmission;
-#endif
 #ifdef SPECULAR
   diffuse *= 1.0 - largest(b.f0);
 #endif
-  Split s = splitAt(b, cosine);
   float facets = sum(s.reflected);
 #ifdef TRANSMISSION
+  if (b.transmission > 0.0) diffuse = sum(s.diffuse);
   facets += sum(s.transmitted);
 #endif
   return diffuse > 0.0 ? facets / (diffuse + facets) : 1.0;

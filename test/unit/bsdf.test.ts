@@ -99,6 +99,23 @@ test('no metal and no glass sends out more than it receives, in any direction', 
   }
 });
 
+test('what lets a part through and scatters the rest gives back no more than it gets, inside and outside', () => {
+  const looks = [{}, { inside: true }, { thin: true }].flatMap((side) => [0.1, 0.5, 0.9].map((t) => ({ ...side, t })));
+  for (const alpha of [0, 0.01, 0.25, 1]) {
+    for (const { t: transmission, ...side } of looks) {
+      const bsdf = bsdfOf({ alpha, transmission, ...side });
+      for (const z of [1, 0.8, 0.7, 0.3, 0.01]) {
+        const powers = samples(bsdf, directionTo(z), 1000).map(
+          ({ wi, weight }) => weight[0] * (wi[2] < 0 && !bsdf.thin ? bsdf.eta ** 2 : 1),
+        );
+        const mean = powers.reduce((sum, power) => sum + power) / powers.length;
+        const variance = powers.reduce((sum, power) => sum + (power - mean) ** 2, 0) / powers.length;
+        assert.ok(mean <= 1 + 1e-6 + 4 * Math.sqrt(variance / powers.length), `${JSON.stringify(bsdf)}, ${z}: ${mean}`);
+      }
+    }
+  }
+});
+
 test('neither of the lobes of a white dielectric sends out more than it receives', () => {
   const count = 4000;
   const mean = (bsdf: Bsdf, z: number): number =>

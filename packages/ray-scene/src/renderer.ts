@@ -212,8 +212,14 @@ export class Renderer {
     const accumulation = this.#sampling.prepare();
     // The last good picture stays until there is a program for another.
     if (!accumulation) return true;
-    this.#begin(start);
     const { settings } = this.#view;
+    if (
+      this.#begin(start) &&
+      settings.output === 'beauty' &&
+      this.#showPreview(start, budgetMs || settings.frameBudget)
+    ) {
+      return true;
+    }
     this.#stopped ??= this.#reasonToStop(accumulation);
     const adds = !this.#stopped && (budgetMs > 0 || accumulation.samples === 0);
     const pixels = adds ? this.#sampling.add(budgetMs || settings.frameBudget, settings.samples) : 0;
@@ -241,15 +247,27 @@ export class Renderer {
       .then(this.onrestored, (error: Error) => this.#fail(error));
   }
 
-  /** A new picture, if the view is another one. */
-  #begin(now: number): void {
+  /** Shows a smaller picture, if a whole one takes too long. */
+  #showPreview(start: number, budgetMs: number): boolean {
+    const preview = this.#sampling.preview(budgetMs);
+    if (!preview) return false;
+    const { pace } = this.#sampling;
+    this.#device.clock.endBatch(this.#listener, start, (ms) => pace.learn(ms, preview.cells.rays));
+    this.#spend(start);
+    this.#present(preview);
+    return true;
+  }
+
+  /** A new picture, if the view is another one: returns whether it is. */
+  #begin(now: number): boolean {
     const { revision } = this.#view;
-    if (this.#begun === revision) return;
+    if (this.#begun === revision) return false;
     this.#begun = revision;
     this.#stopped = undefined;
     this.#milliseconds = 0;
     this.#lastDraw = now;
     this.#watch?.restart();
+    return true;
   }
 
   /** Counts the time since the last draw, and that of this one. */

@@ -7,6 +7,11 @@ import type { RenderDevice } from './render-device.ts';
 import { Tracer } from './tracer.ts';
 import type { View } from './view.ts';
 
+/** How many budgets a first sample of all pixels may take. One that takes more is drawn in tiles, after a preview. */
+const AT_ONCE = 1.5;
+/** How far the pace may move, as a power of two, before previews of another size are made. */
+const SLACK = 0.25;
+
 export class Sampling {
   /** Replaced when another program makes earlier measurements worthless. */
   pace = new Pace();
@@ -17,6 +22,9 @@ export class Sampling {
   readonly #view: View;
   #tracer: Tracer | undefined;
   #accumulation: Accumulation | undefined;
+  #preview: Accumulation | undefined;
+  /** How often the pixels of a preview are halved. */
+  #halvings = 0;
   /** Which revision of the view the samples are of. */
   #drawn = -1;
   /** When the present program began to be compiled, as long as nobody knows that it is. */
@@ -51,10 +59,30 @@ export class Sampling {
     if (this.#compilingSince !== undefined) this.compileMs += performance.now() - this.#compilingSince;
     this.#compilingSince = undefined;
     tracer.setScene(this.#view.resolved);
-    const accumulation = this.#accumulationOfView();
-    accumulation.clear();
-    this.#drawn = this.#view.revision;
-    return accumulation;
+    const { width, height, revision } = this.#view;
+    this.#accumulation = this.#fitted(this.#accumulation, width, height);
+    this.#accumulation.clear();
+    this.#drawn = revision;
+    return this.#accumulation;
+  }
+
+  /**
+   * Draws a smaller picture of the view, of as many pixels as the budget has time for; undefined: a whole one can be drawn
+   * at once, or nobody knows yet. To be called when prepared.
+   */
+  preview(budgetMs: number): Accumulation | undefined {
+    const { width, height } = this.#view;
+    const budgets = this.pace.msFor(width * height) / budgetMs;
+    if (budgets <= AT_ONCE) return undefined;
+    // In steps that a pace which wavers does not cross again and again.
+    const halvings = Math.log2(budgets);
+    const spare = this.#halvings - halvings;
+    if (spare < -SLACK || spare > 1 + SLACK) this.#halvings = Math.ceil(halvings);
+    const [w, h] = [width, height].map((length) => Math.max(1, Math.round(length * 2 ** (-this.#halvings / 2))));
+    this.#preview = this.#fitted(this.#preview, w as number, h as number);
+    this.#preview.clear();
+    this.#addTile(this.#preview, width * height);
+    return this.#preview;
   }
 
   /**
@@ -66,7 +94,9 @@ export class Sampling {
     const accumulation = this.#accumulation as Accumulation;
     const start = performance.now();
     // Issuing work takes no time where the GPU has a queue: there the estimate keeps to the budget, else the clock does.
-    const room = this.pace.pixelsIn(budgetMs);
+    const { width, height, cells } = accumulation;
+    const isShort = cells.rays === 0 && this.pace.msFor(width * height) <= AT_ONCE * budgetMs;
+    const room = this.pace.pixelsIn(isShort ? AT_ONCE * budgetMs : budgetMs);
     let pixels = 0;
     const hasTime = (): boolean =>
       this.pace.isKnown && pixels + CELL_PIXELS <= room && performance.now() - start < budgetMs;
@@ -79,19 +109,20 @@ export class Sampling {
   release(): void {
     this.#tracer?.dispose();
     this.#accumulation?.dispose();
+    this.#preview?.dispose();
     this.forget();
   }
 
   /** What it had on the GPU went with the context. */
   forget(): void {
-    this.#tracer = this.#accumulation = undefined;
+    this.#tracer = this.#accumulation = this.#preview = undefined;
     this.#drawn = -1;
   }
 
   #addTile(accumulation: Accumulation, room: number): number {
     const { camera } = this.#view.resolved;
     const { width, height, cells } = accumulation;
-    const tile = cells.next(Math.max(1, Math.floor(room / CELL_PIXELS)));
+    const tile = room < width * height ? cells.next(Math.max(1, Math.floor(room / CELL_PIXELS))) : cells.next(Infinity);
     // A function of the sample alone, so that tiles make no difference.
     const { seed } = this.#view.settings;
     const sample = cells.countOf(tile);
@@ -115,12 +146,10 @@ export class Sampling {
     return tracer;
   }
 
-  #accumulationOfView(): Accumulation {
-    const { width, height } = this.#view;
-    if (this.#accumulation?.width === width && this.#accumulation.height === height) return this.#accumulation;
-    this.#accumulation?.dispose();
-    this.#accumulation = undefined;
-    this.#accumulation = new Accumulation(this.#device.gl, this.#device.precision, width, height);
-    return this.#accumulation;
+  /** The targets that are there, if they have this size, else others. */
+  #fitted(present: Accumulation | undefined, width: number, height: number): Accumulation {
+    if (present?.width === width && present.height === height) return present;
+    present?.dispose();
+    return new Accumulation(this.#device.gl, this.#device.precision, width, height);
   }
 }

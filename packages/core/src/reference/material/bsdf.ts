@@ -5,7 +5,7 @@
 import { add, addScaled, dot, length, negate, scale, type Vec3 } from '../../vector.ts';
 import { circle } from '../circle.ts';
 import { refracted, refractedCosine2 } from './dielectric.ts';
-import { type Bsdf, facetProbability, hasBase, type Split, splitAt } from './fresnel.ts';
+import { type Bsdf, diffuseBetween, facetProbability, hasBase, type Split, splitAt } from './fresnel.ts';
 import { type Facet, ggx, smithOverCosine, visibleNormal } from './microfacet.ts';
 
 export type { Bsdf };
@@ -36,9 +36,10 @@ function cosineDirection([angle, area]: readonly [number, number]): Vec3 {
 }
 
 /** Both lobes above the surface; `facets` is the probability of not drawing from the diffuse one, `density` is D. */
-function reflection({ alpha }: Bsdf, wo: Vec3, wi: Vec3, density: number, split: Split, facets: number): BsdfValue {
+function reflection(bsdf: Bsdf, wo: Vec3, wi: Vec3, density: number, split: Split, facets: number): BsdfValue {
+  const { alpha } = bsdf;
   const even = wi[2] / Math.PI;
-  const diffuse = { value: scale(split.diffuse, even), pdf: even * (1 - facets) };
+  const diffuse = { value: scale(diffuseBetween(bsdf, split, wo, wi), even), pdf: even * (1 - facets) };
   if (density === 0) return diffuse;
   const lobe = 0.25 * density * smithOverCosine(alpha, wo[2]);
   return {

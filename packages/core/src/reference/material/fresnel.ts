@@ -62,15 +62,27 @@ export function splitAt(bsdf: Bsdf, cosine: number): Split {
 }
 
 /**
+ * What is scattered below the surface, from wi to wo. glTF has it lose by the half vector alone, and so gives back more
+ * than arrives where the layer reflects much and facets turned to the light do not: inside of what is partly let through,
+ * where total reflection keeps light, without bounds. There it loses by the angles of both directions too.
+ */
+export function diffuseBetween(bsdf: Bsdf, { diffuse }: Split, wo: Vec3, wi: Vec3): Vec3 {
+  if (bsdf.transmission === 0) return diffuse;
+  const [toEye, toLight] = [splitAt(bsdf, wo[2]).diffuse, splitAt(bsdf, wi[2]).diffuse];
+  return diffuse.map((channel, k) => Math.min(channel, toEye[k] as number, toLight[k] as number)) as unknown as Vec3;
+}
+
+/**
  * Probability of not drawing from the diffuse lobe, which is drawn from in proportion to the albedos of the lobes. What
- * gets under the layer is taken straight on there, since light that is scattered diffusely meets facets that are turned
- * towards it.
+ * gets under an opaque layer is taken straight on there, since light that is scattered diffusely meets facets that are
+ * turned towards it.
  */
 export function facetProbability(bsdf: Bsdf, cosine: number): number {
   const { color, metalness, transmission, f0 } = bsdf;
-  const diffuse = (1 - metalness) * (1 - transmission) * (1 - Math.max(...f0)) * sum(color);
-  const { reflected, transmitted } = splitAt(bsdf, cosine);
-  const facets = sum(reflected) + sum(transmitted);
+  const split = splitAt(bsdf, cosine);
+  const straight = (1 - metalness) * (1 - Math.max(...f0)) * sum(color);
+  const diffuse = transmission > 0 ? sum(split.diffuse) : straight;
+  const facets = sum(split.reflected) + sum(split.transmitted);
   return diffuse > 0 ? facets / (diffuse + facets) : 1;
 }
 
