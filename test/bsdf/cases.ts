@@ -94,19 +94,3 @@ export function definedFor(all: readonly Bsdf[]): ReadonlySet<string> {
   };
   return new Set(Object.keys(facts).filter((name) => facts[name]));
 }
-
-/** All that `definedFor` may say. */
-export const knownNames: ReadonlySet<string> = new Set([
-  'METAL',
-  'DIELECTRIC',
-  'SPECULAR',
-  'SPECULAR_TINT',
-  'SPECULAR_WEIGHT',
-  'REFLECTIVE',
-  'ROUGH',
-  'SMOOTH',
-  'TRANSMISSION',
-  'OPAQUE_BASE',
-  'THIN',
-  'SOLID',
-]);

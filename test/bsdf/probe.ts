@@ -6,7 +6,6 @@ import { pathFiles } from '../../packages/core/src/path-files.ts';
 import type { Bsdf, BsdfSample, BsdfValue } from '../../packages/core/src/reference/material/bsdf.ts';
 import type { Program } from '../../packages/ray-scene/src/program.ts';
 import { createTarget } from '../truth/probe-target.ts';
-import { knownNames } from './cases.ts';
 import material from './material.glsl';
 import main from './probe.frag.glsl';
 import type { Question } from './questions.ts';
@@ -25,7 +24,7 @@ const VERTEX = `#version 300 es
 /** A program with this main file, and what it includes of the shaders when these names are defined. */
 export function shaderSource(root: string, defined: ReadonlySet<string>) {
   const files = { ...glslFiles, ...pathFiles, 'probe/material.glsl': material, 'probe.frag.glsl': root };
-  const { text, lines } = assembleGlsl('probe.frag.glsl', { files, defined, known: knownNames });
+  const { text, lines } = assembleGlsl('probe.frag.glsl', { files, defined });
   return { vertex: VERTEX, fragment: text, lines };
 }
 

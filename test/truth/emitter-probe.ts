@@ -1,6 +1,6 @@
 /** Asks the shaders' functions of lights, fed by the real packing. */
 import '@ray-scene/core/parts';
-import { assembleGlsl, type Feature, features, glslFiles, type Vec3 } from '@ray-scene/core';
+import { assembleGlsl, type Feature, glslFiles, type Vec3 } from '@ray-scene/core';
 import {
   ABSENT_EMITTER,
   emitterEntries,
@@ -96,9 +96,8 @@ function sourceOf(present: readonly Feature[], block: BlockLayout) {
     'generated/emitters.glsl': emittersGlsl(present),
   };
   const defined = new Set(present.map(name));
-  const known = new Set(features.map(name));
-  const { text, lines } = assembleGlsl('main.glsl', { files, defined, known });
-  const vertex = assembleGlsl('fullscreen.vert.glsl', { files, defined, known }).text;
+  const { text, lines } = assembleGlsl('main.glsl', { files, defined });
+  const vertex = assembleGlsl('fullscreen.vert.glsl', { files, defined }).text;
   return { vertex, fragment: text, lines };
 }
 

@@ -4,10 +4,10 @@ import { test } from 'node:test';
 import { assembleGlsl } from '../../packages/core/src/assemble-glsl.ts';
 import { glslFiles } from '../../packages/core/src/glsl-files.ts';
 import { pathFiles } from '../../packages/core/src/path-files.ts';
-import { definedFor, knownNames, materials } from '../bsdf/cases.ts';
+import { definedFor, materials } from '../bsdf/cases.ts';
 
 const textFor = (defined: ReadonlySet<string>): string =>
-  assembleGlsl('material/bsdf.glsl', { files: { ...glslFiles, ...pathFiles }, defined, known: knownNames }).text;
+  assembleGlsl('material/bsdf.glsl', { files: { ...glslFiles, ...pathFiles }, defined }).text;
 
 /** Without white space at the ends of lines: what a driver has to read. */
 const sizeOf = (text: string): number => text.replace(/^\s+/gm, '').length;

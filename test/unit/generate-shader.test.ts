@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { generateShader, parseScene, requirements, resolveScene, type ShaderOptions } from '@ray-scene/core';
+import { features, generateShader, parseScene, requirements, resolveScene, type ShaderOptions } from '@ray-scene/core';
+import { glslName } from '../../packages/core/src/generate-shader.ts';
 
 /** Without comments, of which there are none left, and white space. */
 const stripped = (glsl: string): string => glsl.replace(/\/\/.*/g, '').replace(/\s+/g, '');
@@ -24,6 +25,19 @@ for (const varyings of [0, 31]) {
     assert.ok((sizes[1] as number) <= 5000, `one sphere: ${sizes[1]}`);
   });
 }
+
+test('shader files ask for nothing but features, and the few names that are made of numbers', () => {
+  const others = ['POINT_LIGHTS', 'DIRECTIONAL_LIGHTS', 'LIGHTS', 'VARYINGS', 'TONE_MAPPING_NEUTRAL'];
+  const known = new Set([...features.map(glslName), ...others]);
+  const folder = new URL('../../shaders/', import.meta.url);
+  for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((one) =>
+    one.endsWith('.glsl'),
+  )) {
+    const conditions = readFileSync(new URL(file, folder), 'utf8').match(/^#\s*(if|ifdef|ifndef|elif)\b.*/gm) ?? [];
+    for (const name of conditions.join(' ').match(/\b[A-Z][A-Z0-9_]+\b/g) ?? [])
+      assert.ok(known.has(name), `${file}: ${name}`);
+  }
+});
 
 /** Functions of a shader besides main, in order. */
 const functions = (glsl: string): string[] =>

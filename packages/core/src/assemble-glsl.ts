@@ -1,6 +1,6 @@
 /**
  * Puts shader files together: `#include` once each, `#ifdef`, `#ifndef`, `#if defined(A) && !defined(B)`, `#elif`,
- * `#else` and `#endif` over the known names are decided here, and comments and blank lines are dropped, so that the
+ * `#else` and `#endif` over defined names are decided here, and comments and blank lines are dropped, so that the
  * driver gets what the scene needs and nothing else. A side table says where each line comes from.
  */
 
@@ -15,8 +15,6 @@ export interface GlslSources {
   readonly files: { readonly [file: string]: string };
   /** The names that are defined. */
   readonly defined: ReadonlySet<string>;
-  /** All names that may be asked for: asking for another is a misprint. */
-  readonly known: ReadonlySet<string>;
 }
 
 /** @throws {Error} naming file and line, for a missing file, a circle of includes, or a condition that is off. */
@@ -102,7 +100,7 @@ class Assembler {
     return condition.split('||').some((all) =>
       all.split('&&').every((term) => {
         const [, not, name = ''] = /^\s*(!?)\s*defined\s*\(\s*(\w+)\s*\)\s*$/.exec(term) ?? [];
-        if (!this.#sources.known.has(name)) throw new Error(`${where}: unknown condition "${term.trim()}"`);
+        if (!name) throw new Error(`${where}: a condition that is off: "${term.trim()}"`);
         return this.#sources.defined.has(name) === (not === '');
       }),
     );

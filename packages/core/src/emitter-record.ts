@@ -1,12 +1,12 @@
 /** What the shader is told of emitters: one record for all kinds, whose members are there when a kind needs them. */
 import type { AliasTable } from './emitter-table.ts';
 import { type Emitter, type EmitterKind, type EmitterOf, emitterKinds, type Profile } from './emitters.ts';
+import type { Feature } from './features.ts';
 import { type Frame, toFrame } from './frame.ts';
 import { lowWord } from './primitives/flat.ts';
 import { planeAxes } from './primitives/plane.ts';
 import { quadNormal } from './primitives/quad-shape.ts';
 import { triangleNormal } from './primitives/triangle-shape.ts';
-import type { Feature } from './scene-needs.ts';
 import { type BlockEntry, layoutStruct, type RecordValues } from './std140.ts';
 import { cross, length, normalize, scale, subtract, type Vec3 } from './vector.ts';
 

@@ -1,10 +1,10 @@
 /** The part of a shader that tells the kinds of emitters apart: none of it for a scene with but one kind. */
 import { presentEmitters } from './emitter-record.ts';
 import { type EmitterKind, emitterKinds } from './emitters.ts';
+import type { Feature } from './features.ts';
 import { structName } from './pack-scene.ts';
 import { ROULETTE_FROM } from './path-needs.ts';
 import type { Requirements } from './requirements.ts';
-import type { Feature } from './scene-needs.ts';
 
 /** Kinds that no ray meets by chance. */
 const POINTS: readonly EmitterKind[] = ['point', 'spot', 'directional'];

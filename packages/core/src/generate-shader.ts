@@ -5,7 +5,6 @@ import { sceneLayout, viewLayout } from './pack-scene.ts';
 import { loadedParts, moreParts, pathParts } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
 import type { Requirements } from './requirements.ts';
-import { features } from './scene-needs.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';
 
@@ -54,17 +53,16 @@ export function generateShader(required: Requirements, { varyings = 0, main }: S
       shapeIncludes(required) +
       (indexed ? moreParts().indexedObjects(required, scene) : unrolledObjects(required, scene, !!rows)),
   };
-  const fragment = assembleGlsl(root, { files, defined, known: KNOWN_NAMES });
+  const fragment = assembleGlsl(root, { files, defined });
   const vertex = assembleGlsl(rows ? 'varyings.vert.glsl' : 'fullscreen.vert.glsl', {
     files,
     defined,
-    known: KNOWN_NAMES,
   });
   return { vertex: vertex.text, fragment: fragment.text, lines: fragment.lines, sceneBlock: scene, viewBlock: view };
 }
 
 /** `specularTint` as it is asked for in GLSL: `SPECULAR_TINT`. */
-const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').toUpperCase();
+export const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '_$&').toUpperCase();
 
 const countNames = { point: 'POINT_LIGHTS', directional: 'DIRECTIONAL_LIGHTS' } as const;
 
@@ -73,13 +71,6 @@ const shapeIncludes = ({ shapes }: Requirements): string =>
     .filter((kind) => shapes[kind] > 0)
     .map((kind) => `#include "shape/${kind}.glsl"\n`)
     .join('');
-
-const KNOWN_NAMES: ReadonlySet<string> = new Set([
-  ...features.map(glslName),
-  ...Object.values(countNames),
-  'LIGHTS',
-  'VARYINGS',
-]);
 
 function definedNames({ features: present, lights }: Requirements): Set<string> {
   const lit = Object.entries(countNames).filter(([kind]) => lights[kind as keyof typeof lights] > 0);

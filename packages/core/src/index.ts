@@ -9,6 +9,7 @@ export {
   type ResolvedCamera,
   rayDirection,
 } from './camera-frame.ts';
+export { type Feature, features } from './features.ts';
 export { type Field, type Fields, type Limits, Mismatch, suggestion, type Values } from './fields.ts';
 export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
@@ -25,7 +26,6 @@ export { type Intersection, intersect } from './reference/intersect.ts';
 export { mergeRequirements, type Requirements, requirements, requirementsKey } from './requirements.ts';
 export { type ResolvedScene, resolveScene } from './resolve-scene.ts';
 export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
-export { type Feature, features } from './scene-needs.ts';
 export * from './schema.ts';
 export { serializeScene } from './serialize-scene.ts';
 export { parseSettings, qualities, type RenderSettings, settingsFields } from './settings.ts';

@@ -1,8 +1,9 @@
+import type { Feature } from './features.ts';
 import type { ShaderOptions } from './generate-shader.ts';
 import { loadedParts, loadedPaths } from './parts.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { type Feature, followsPaths, type Tracing } from './scene-needs.ts';
+import { followsPaths, type Tracing } from './scene-needs.ts';
 import type { Scene } from './schema.ts';
 
 /** What comes with `more-parts.ts`. */

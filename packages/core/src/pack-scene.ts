@@ -10,7 +10,7 @@ import type { ResolvedScene } from './resolve-scene.ts';
 import type { Light, Material } from './schema.ts';
 import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std140.ts';
 import { length } from './vector.ts';
-import { eyeRecord, packEye, packSurroundings, type SampleNumber, surroundingsRecord } from './view-record.ts';
+import { eyeRecord, eyeUnit, packEye, packSurroundings, type SampleNumber, surroundingsRecord } from './view-record.ts';
 
 /** The block `Scene` of a shader with these requirements; `gapless`, see `layoutStruct`. */
 export function sceneLayout(required: Requirements, { gapless = false } = {}): BlockLayout {
@@ -43,8 +43,10 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
 }
 
 /** The block `View` of a shader in which these names are defined. */
-export const viewLayout = (defined: ReadonlySet<string>): BlockLayout =>
-  layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', eyeRecord, (name) => defined.has(name)) }]);
+export function viewLayout(defined: ReadonlySet<string>): BlockLayout {
+  const record = [...eyeRecord, ...(defined.has('PATH') ? pathParts().eyeRecord : [])];
+  return layoutBlock('View', [{ name: 'eye', struct: layoutStruct('Eye', record, (name) => defined.has(name)) }]);
+}
 
 /** `Sphere` for the kind sphere. */
 export const structName = (kind: string): string => `${kind[0]?.toUpperCase()}${kind.slice(1)}`;
@@ -129,9 +131,10 @@ export function packView(
   sample: SampleNumber = { sample: 0, seed: 0 },
 ): ArrayBuffer {
   const writer = new BlockWriter(block);
-  // The first parts of three vectors by themselves, or with what is left of them.
-  const exact = !!block.entries[0]?.struct.members.some(({ name }) => name === 'corner2');
-  writer.write('eye', 0, packEye(view, { scale, exact, ...sample }));
+  const has = (member: string): boolean => !!block.entries[0]?.struct.members.some(({ name }) => name === member);
+  // The first parts of vectors by themselves, or with what is left of them.
+  const eye = packEye(view, eyeUnit(view, scale), has('corner2'));
+  writer.write('eye', 0, { ...eye, ...(has('sequence') ? pathParts().packEye(view, scale, sample) : {}) });
   return writer.bytes;
 }
 

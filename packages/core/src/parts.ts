@@ -2,6 +2,8 @@
  * What shaders are made of, beyond what every scene needs. Spheres and planes are always there; the other shapes, the form
  * for many objects and that for software renderers come with the module `more-parts.ts`, which a page loads when it must.
  */
+import type { CameraFrame } from './camera-frame.ts';
+import type { Feature } from './features.ts';
 import type { Fields } from './fields.ts';
 import type { Frame } from './frame.ts';
 import type { ShapeKind } from './primitives/index.ts';
@@ -10,9 +12,10 @@ import type { Primitive } from './primitives/primitive.ts';
 import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import type { Feature, SceneNeeds } from './scene-needs.ts';
+import type { SceneNeeds } from './scene-needs.ts';
 import type { Material } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
+import type { SampleNumber } from './view-record.ts';
 
 type AnyPrimitive = Primitive<Fields, readonly Member[]>;
 
@@ -48,6 +51,9 @@ export interface PathParts {
   /** What is told of materials, besides the rest. `emitter`: a material's place among the emitters, -1 for none. */
   readonly materialRecord: readonly Member[];
   packMaterial(material: Material, scale: number, emitter: number): RecordValues<readonly Member[]>;
+  /** What the shader is told of the eye besides; `scale`: the scene's in its frame. */
+  readonly eyeRecord: readonly Member[];
+  packEye(view: CameraFrame, scale: number, sample: SampleNumber): RecordValues<readonly Member[]>;
   /** What the block `Scene` holds of so many emitters. */
   emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[];
   /** The part of a shader that tells kinds of emitters apart. */

@@ -1,11 +1,12 @@
 /** What the integrator `path` asks of a scene, beyond what its nodes say by themselves. */
 import { emitterFeatures } from './emitter-record.ts';
 import { sceneEmitters } from './emitters.ts';
+import type { Feature } from './features.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
 import { hasChecker } from './requirements.ts';
 import { isEmissive, type ResolvedObject, type ResolvedScene } from './resolve-scene.ts';
-import type { Feature, SceneNeeds } from './scene-needs.ts';
+import type { SceneNeeds } from './scene-needs.ts';
 import type { Material } from './schema.ts';
 
 export function pathNeeds(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number } {

@@ -7,6 +7,7 @@ import { type PathParts, registerPaths } from './parts.ts';
 import { pathFiles } from './path-files.ts';
 import { packPathMaterial, pathMaterialRecord } from './path-material.ts';
 import { pathFeatures, pathNeeds } from './path-needs.ts';
+import { packPathEye, pathEyeRecord } from './path-view.ts';
 
 const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) => {
   const emitters = sceneEmitters(scene);
@@ -26,6 +27,8 @@ registerPaths({
   features: pathFeatures,
   materialRecord: pathMaterialRecord,
   packMaterial: packPathMaterial,
+  eyeRecord: pathEyeRecord,
+  packEye: packPathEye,
   emitterEntries,
   emittersGlsl,
   limitsGlsl,

@@ -1,16 +1,10 @@
 /** What a scene requires of its shader, as a value: moving, recolouring or resizing an object does not change it. */
+
+import type { Feature } from './features.ts';
 import { pathParts } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import {
-  type Feature,
-  features,
-  isSolid,
-  mergeNeeds,
-  type SceneNeeds,
-  sceneNeeds,
-  type Tracing,
-} from './scene-needs.ts';
+import { isSolid, mergeNeeds, type SceneNeeds, sceneNeeds, type Tracing } from './scene-needs.ts';
 
 export interface Requirements {
   /** What they follow from. */
@@ -22,7 +16,7 @@ export interface Requirements {
   readonly lights: SceneNeeds['lights'];
   readonly emitters: number;
   readonly materials: number;
-  /** In the order of `features`. */
+  /** In the order of the alphabet. */
   readonly features: readonly Feature[];
 }
 
@@ -69,7 +63,7 @@ function derive(needs: SceneNeeds): Requirements {
     emitters: needs.emitters,
     // Objects that are written out one by one have a material each.
     materials: indexed ? roundedUp(Math.max(needs.materials, 1)) : objects,
-    features: features.filter((feature) => present.has(feature)),
+    features: [...present].sort(),
   };
 }
 

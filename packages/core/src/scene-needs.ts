@@ -1,4 +1,5 @@
 /** What the nodes of a scene need by themselves, before it is asked what follows from all of them together. */
+import type { Feature } from './features.ts';
 import type { Field } from './fields.ts';
 import { type DirectKind, directKinds } from './light-records.ts';
 import { pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
@@ -7,73 +8,6 @@ import { planeAxes } from './primitives/plane.ts';
 import { isEmissive, type ResolvedScene } from './resolve-scene.ts';
 import { lights, material, type Shape } from './schema.ts';
 import type { RenderSettings } from './settings.ts';
-
-/** Everything that a shader may or may not hold. In GLSL, each is a name to ask for by `#if`. */
-export const features = [
-  'metal',
-  'dielectric',
-  'specular',
-  'specularTint',
-  'specularWeight',
-  'falloff',
-  'noFalloff',
-  ...shapeKinds.map((kind) => `${kind}Checker` as const),
-  'tiltedPlane',
-  'turnedChecker',
-  // Derived from the whole scene:
-  'mixedFalloff',
-  'checker',
-  'reflective',
-  'highlights',
-  'reflections',
-  'shadows',
-  'inside',
-  // Rays pass through surfaces: they start on any side of what they meet.
-  'through',
-  // The integrator `path`, or what `direct` becomes where light is more than points and surfaces more than mirrors:
-  'path',
-  'whitted',
-  'rough',
-  'smooth',
-  'transmission',
-  'opaqueBase',
-  'thin',
-  'solid',
-  'nested',
-  'attenuation',
-  'emissive',
-  'sides',
-  'roulette',
-  'lens',
-  'orthographic',
-  // What can be asked for light:
-  'pointEmitter',
-  'spotEmitter',
-  'directionalEmitter',
-  'sunEmitter',
-  'sphereEmitter',
-  'quadEmitter',
-  'discEmitter',
-  'triangleEmitter',
-  'boxEmitter',
-  'cylinderEmitter',
-  'imageEmitter',
-  'severalEmitters',
-  // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
-  'steadyEmitter',
-  'aimedBall',
-  'innerEmitter',
-  'wideRange',
-  'indexed',
-  // Camera rays keep the digits that a horizon needs.
-  'exactRays',
-  'environment',
-  'gradient',
-  'backgroundColor',
-  'backgroundEnvironment',
-] as const;
-
-export type Feature = (typeof features)[number];
 
 /** How light is followed: what of the settings bears on the shader. */
 export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator'>>;
@@ -115,7 +49,7 @@ export function sceneNeeds(scene: ResolvedScene, { bounces, integrator }: Tracin
     lights: counts(directKinds, paths ? [] : (scene.lights.map(({ type }) => type) as DirectKind[])),
     emitters: paths?.emitters ?? 0,
     materials: scene.materials.length,
-    features: new Set(features.filter((feature) => facts[feature] || present.includes(feature))),
+    features: new Set([...present, ...Object.keys(facts).filter((fact) => facts[fact as Feature])] as Feature[]),
   };
 }
 

@@ -1,7 +1,6 @@
 /** What the shader is told of the eye and of what surrounds the scene. */
 import type { CameraFrame } from './camera-frame.ts';
 import { powerOfTwoBelow } from './frame.ts';
-import { reverseBits, sequenceSeed } from './random.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { rounded } from './split-parts.ts';
 import type { RecordValues } from './std140.ts';
@@ -17,12 +16,6 @@ export const eyeRecord = [
   { name: 'corner2', type: 'vec3', when: 'EXACT_RAYS' },
   { name: 'stepX2', type: 'vec3', when: 'EXACT_RAYS' },
   { name: 'stepY2', type: 'vec3', when: 'EXACT_RAYS' },
-  { name: 'forward', type: 'vec3', when: 'ORTHOGRAPHIC' },
-  { name: 'lensX', type: 'vec3', when: 'LENS' },
-  { name: 'focus', type: 'float', when: 'LENS' },
-  { name: 'lensY', type: 'vec3', when: 'LENS' },
-  { name: 'sequence', type: 'uint', when: 'PATH' },
-  { name: 'reversed', type: 'uint', when: 'PATH' },
 ] as const;
 
 /** Which sample is drawn, and of which random numbers. */
@@ -31,14 +24,14 @@ export interface SampleNumber {
   readonly seed: number;
 }
 
-interface Packing extends SampleNumber {
-  /** Whether to split vectors. */
-  readonly exact: boolean;
-  /** The scene's in its frame, for what has a length. */
-  readonly scale: number;
-}
-
 type Halves = readonly [high: Vec3, low: Vec3];
+
+/**
+ * What the vectors are multiplied by: where rays all start at one point, their length does not matter. `scale`: the
+ * scene's in its frame.
+ */
+export const eyeUnit = ({ orthographic, corner }: CameraFrame, scale: number): number =>
+  orthographic ? scale : 0.125 / powerOfTwoBelow(length(corner));
 
 /**
  * In f32, a ray towards the horizon loses the digits of its slope, the small difference of a corner and many steps. With
@@ -46,10 +39,7 @@ type Halves = readonly [high: Vec3, low: Vec3];
  * 2^-23; they are below 2, up to which f32 holds those, since the corner is shorter than 1/4, and the window's sides are
  * not longer than twice the way to it.
  */
-export function packEye(frame: CameraFrame, { exact, scale, sample, seed }: Packing): RecordValues<typeof eyeRecord> {
-  const { lens = [NOWHERE, NOWHERE] } = frame;
-  // Where rays all start at one point, the length of these vectors does not matter.
-  const unit = frame.orthographic ? scale : 0.125 / powerOfTwoBelow(length(frame.corner));
+export function packEye(frame: CameraFrame, unit: number, exact: boolean): RecordValues<typeof eyeRecord> {
   const [corner, stepX, stepY] = [frame.corner, frame.stepX, frame.stepY].map((v) => {
     const whole = times(v, unit);
     const high = exact ? rounded(whole, 22) : whole;
@@ -63,11 +53,6 @@ export function packEye(frame: CameraFrame, { exact, scale, sample, seed }: Pack
     stepX2: stepX[1],
     stepY: stepY[0],
     stepY2: stepY[1],
-    lensX: times(lens[0], scale),
-    focus: (frame.focus * scale) / unit,
-    lensY: times(lens[1], scale),
-    sequence: sequenceSeed(sample, seed),
-    reversed: reverseBits(sample >>> 1),
   };
 }
 
@@ -94,4 +79,3 @@ export function packSurroundings(
 }
 
 const BLACK = [0, 0, 0] as const;
-const NOWHERE: Vec3 = [0, 0, 0];

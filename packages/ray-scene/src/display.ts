@@ -10,8 +10,6 @@ const featureOf = { neutral: 'TONE_MAPPING_NEUTRAL', none: undefined } as const 
   [T in ToneMapping]: string | undefined;
 };
 
-const FEATURES: ReadonlySet<string> = new Set(Object.values(featureOf).filter((name) => name !== undefined));
-
 /** The largest f32: exposures beyond it would be infinite on the GPU. */
 const LARGEST_FLOAT = (2 - 2 ** -23) * 2 ** 127;
 
@@ -48,7 +46,6 @@ function displaySource(toneMapping: ToneMapping): ProgramSource {
   const feature = featureOf[toneMapping];
   const sources = {
     files: { ...glslFiles, ...accumulationFiles },
-    known: FEATURES,
     defined: new Set(feature ? [feature] : []),
   };
   const { text, lines } = assembleGlsl('display.frag.glsl', sources);

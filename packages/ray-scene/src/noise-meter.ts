@@ -38,7 +38,7 @@ const files = {
 
 /** A program over the whole viewport, of one of these files. */
 export function noiseSource(root: string, more: { readonly [file: string]: string } = {}): ProgramSource {
-  const sources = { files: { ...files, ...more }, known: new Set<string>(), defined: new Set<string>() };
+  const sources = { files: { ...files, ...more }, defined: new Set<string>() };
   const { text, lines } = assembleGlsl(root, sources);
   return { vertex: assembleGlsl('fullscreen.vert.glsl', sources).text, fragment: text, lines };
 }

@@ -1,0 +1,69 @@
+/** The names of all features. Programs know them as types; tests and tools go through the list. */
+import { shapeKinds } from './primitives/index.ts';
+
+/** Everything that a shader may or may not hold. In GLSL, each is a name to ask for by `#if`. */
+export const features = [
+  'metal',
+  'dielectric',
+  'specular',
+  'specularTint',
+  'specularWeight',
+  'falloff',
+  'noFalloff',
+  ...shapeKinds.map((kind) => `${kind}Checker` as const),
+  'tiltedPlane',
+  'turnedChecker',
+  // Derived from the whole scene:
+  'mixedFalloff',
+  'checker',
+  'reflective',
+  'highlights',
+  'reflections',
+  'shadows',
+  'inside',
+  // Rays pass through surfaces: they start on any side of what they meet.
+  'through',
+  // The integrator `path`, or what `direct` becomes where light is more than points and surfaces more than mirrors:
+  'path',
+  'whitted',
+  'rough',
+  'smooth',
+  'transmission',
+  'opaqueBase',
+  'thin',
+  'solid',
+  'nested',
+  'attenuation',
+  'emissive',
+  'sides',
+  'roulette',
+  'lens',
+  'orthographic',
+  // What can be asked for light:
+  'pointEmitter',
+  'spotEmitter',
+  'directionalEmitter',
+  'sunEmitter',
+  'sphereEmitter',
+  'quadEmitter',
+  'discEmitter',
+  'triangleEmitter',
+  'boxEmitter',
+  'cylinderEmitter',
+  'imageEmitter',
+  'severalEmitters',
+  // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
+  'steadyEmitter',
+  'aimedBall',
+  'innerEmitter',
+  'wideRange',
+  'indexed',
+  // Camera rays keep the digits that a horizon needs.
+  'exactRays',
+  'environment',
+  'gradient',
+  'backgroundColor',
+  'backgroundEnvironment',
+] as const;
+
+export type Feature = (typeof features)[number];
