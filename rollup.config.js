@@ -20,7 +20,8 @@ const withoutDocs = {
   name: 'without-docs',
   transform(code, path) {
     if (!/core\/src\/(schema|settings|primitives\/\w+)\.ts$/.test(path)) return undefined;
-    const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc:\s*)(['"]).*?(?<!\\)\1(?:\s*\+\s*'[^']*')*/gs;
+    const text =
+      /(?<=\b(?:number|vector|factors|color|choice|name)\(\s*|\bdoc:\s*)(['"]).*?(?<!\\)\1(?:\s*\+\s*'[^']*')*/gs;
     return { code: code.replace(text, "''"), map: null };
   },
 };
