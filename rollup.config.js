@@ -20,7 +20,8 @@ const withoutDocs = {
   name: 'without-docs',
   transform(code, path) {
     if (!/core\/src\/(schema|settings|primitives\/\w+)\.ts$/.test(path)) return undefined;
-    const text = /(?<=\b(?:number|vector|color|choice|name)\(\s*|\bdoc:\s*)(['"]).*?(?<!\\)\1(?:\s*\+\s*'[^']*')*/gs;
+    const text =
+      /(?<=\b(?:number|vector|factors|color|choice|name)\(\s*|\bdoc:\s*)(['"]).*?(?<!\\)\1(?:\s*\+\s*'[^']*')*/gs;
     return { code: code.replace(text, "''"), map: null };
   },
 };
@@ -81,6 +82,15 @@ const adoptedStyles = {
     if (!asked.test(code)) this.error('lit asks in other words whether the browser adopts style sheets');
     return { code: code.replace(asked, 'true'), map: null };
   },
+};
+
+/** gl-matrix makes a vector as it is loaded, for a function that nobody here calls: with that, much else would stay. */
+const withoutForEach = {
+  name: 'without-for-each',
+  transform: (code, path) =>
+    path.endsWith('gl-matrix/esm/vec3.js')
+      ? { code: code.replace(/export var forEach = [^]*/, ''), map: null }
+      : undefined,
 };
 
 /** Gives private names one letter, which terser does not. */

@@ -4,6 +4,7 @@ import {
   camera,
   environment,
   type Fields,
+  group,
   lights,
   material,
   type NodeTable,
@@ -27,6 +28,8 @@ function valuesOf({ kind, limits }: AnyField): string {
       return `${limits.integer ? 'whole number' : 'number'}${range(limits)}`;
     case 'vector':
       return 'x y z';
+    case 'factors':
+      return 'x y z, or one number';
     case 'color':
       return 'colour';
     case 'choice':
@@ -74,6 +77,7 @@ export function sceneTables(): string {
     section('`<ray-environment>`, `environment`', environment),
     section('`<ray-material>`, `materials`', material),
     ...Object.entries(primitives).map(([kind, node]) => section(`\`<ray-${kind}>\`, \`objects\``, node)),
+    section('`<ray-group>`, `objects`', group),
     section('On every object', {
       doc: 'An object also takes every field of a material for itself; they go before those of the material it names.',
       fields: objectFields,

@@ -13,7 +13,18 @@ async function sceneFile(name: string): Promise<Scene> {
 describe('GPU against reference', function () {
   this.timeout(60_000);
 
-  for (const name of ['classic', 'eclipse', 'hello', 'metals', 'planes', 'planet', 'rings', 'shells', 'studio']) {
+  for (const name of [
+    'classic',
+    'eclipse',
+    'groups',
+    'hello',
+    'metals',
+    'planes',
+    'planet',
+    'rings',
+    'shells',
+    'studio',
+  ]) {
     it(`draws ${name} alike`, async () =>
       name === 'classic' ? agree(name, await sceneFile(name), 10, 4) : agree(name, await sceneFile(name)));
   }

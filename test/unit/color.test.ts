@@ -4,7 +4,7 @@ import { parseScene } from '@ray-scene/core';
 import { colorsNamed, converter } from 'culori';
 import fc from 'fast-check';
 
-const read = (color: string) => parseScene({ objects: [{ type: 'sphere', color }] }).objects[0]?.color;
+const read = (color: string) => parseScene({ materials: { a: { color } } }).materials.a?.color;
 
 const toLinear = converter('lrgb');
 
@@ -60,6 +60,6 @@ for (const [text, hint] of [
 ] as const) {
   test(`"${text}" is no colour`, () => {
     const message = `must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or linear [r, g, b], not "${text}"${hint}`;
-    assert.throws(() => read(text), { message: `objects[0]: color ${message}` });
+    assert.throws(() => read(text), { message: `materials.a: color ${message}` });
   });
 }

@@ -50,7 +50,7 @@ test('any value may be the text that it has in markup', () => {
 });
 
 test('colours are linear Rec. 709', () => {
-  const colorOf = (color: unknown) => parseScene({ objects: [{ type: 'sphere', color }] }).objects[0]?.color;
+  const colorOf = (color: unknown) => parseScene({ materials: { a: { color } } }).materials.a?.color;
   assert.deepEqual(colorOf('white'), [1, 1, 1]);
   assert.deepEqual(colorOf('color(srgb-linear 0.25 0.5 0)'), [0.25, 0.5, 0]);
   assert.deepEqual(colorOf([0.1, 0.2, 0.3]), [0.1, 0.2, 0.3]);
@@ -71,7 +71,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
   [
     'an unknown kind',
     { objects: [{ type: 'spere' }] },
-    [`objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: ${shapeKinds.join(', ')}.`],
+    [`objects[0]: unknown type "spere" (did you mean "sphere"?). Types of object: ${shapeKinds.join(', ')}, group.`],
   ],
   [
     'a negative radius',

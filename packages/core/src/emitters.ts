@@ -1,8 +1,8 @@
 /** What can be asked for light: point-like lights, suns and objects that shine, in f64 and scene coordinates. */
 import { emitterPower, litBall } from './emitter-power.ts';
 import { type EnvironmentImage, type ImageTable, imageTable } from './environment-image.ts';
+import type { PlacedShape } from './flat-scene.ts';
 import { directionToLight } from './light-records.ts';
-import type { ShapeKind } from './primitives/index.ts';
 import type { Shape } from './schema.ts';
 import { dot, normalize, scale, subtract, type Vec3 } from './vector.ts';
 
@@ -104,7 +104,7 @@ export interface EmittingScene {
     readonly emissionSide: Shining['side'];
   }[];
   readonly objects: readonly {
-    readonly shape: Shape<ShapeKind>;
+    readonly shape: PlacedShape;
     readonly material: number;
     /** Index of the light that the object is the ball of. */
     readonly light?: number;
@@ -123,7 +123,8 @@ export interface ImageEnvironment {
 
 /**
  * The emitters of a scene: lights in their order (but for those that are balls), then objects, then surroundings that are
- * an image. Other surroundings, and planes, cones and tori that shine, are not among them: paths meet those by chance.
+ * an image. Other surroundings, and planes, cones, tori and shapes in a space of
+ * their own that shine, are not among them: paths meet those by chance.
  */
 export function sceneEmitters(scene: EmittingScene): readonly Emitter[] {
   const points = scene.lights.filter((light) => light.type === 'directional' || !light.radius).map(lightEmitter);
@@ -178,7 +179,7 @@ function objectEmitter({ lights, materials, objects }: EmittingScene, object: nu
   const { shape, material: index, light = -1 } = objects[object] as EmittingScene['objects'][number];
   const { emission, emissionIntensity, emissionSide: side } = materials[index] as EmittingScene['materials'][number];
   const radiance = scale(emission, emissionIntensity);
-  if (Math.max(...radiance) === 0) return [];
+  if (Math.max(...radiance) === 0 || shape.place) return [];
   const shining = { radiance, side, object };
   const source = lights[light];
   switch (shape.type) {

@@ -56,7 +56,7 @@ export interface Field<T> {
   /** The shader features that a value needs. */
   features(value: NonNullable<T>): readonly string[];
   /** The kind of value, for people and for tools. */
-  readonly kind: 'number' | 'vector' | 'color' | 'choice' | 'name';
+  readonly kind: 'number' | 'vector' | 'factors' | 'color' | 'choice' | 'name';
   /** Reads a JSON value or its text in markup. */
   read(value: unknown): NonNullable<T> | Mismatch;
   readonly limits: Limits;
@@ -165,6 +165,26 @@ function readTriple(value: unknown): Vec3 | undefined {
   const asText = typeof value === 'string';
   const [x, y, z] = parts.map((part) => (asText || typeof part === 'number' ? readNumber(part) : undefined));
   return x !== undefined && y !== undefined && z !== undefined ? Object.freeze([x, y, z] as const) : undefined;
+}
+
+/** How large a factor on lengths may be, and one over how small. */
+export const LARGEST_FACTOR = 1e12;
+
+/** A factor for each axis, or one for all of them; below 0 it mirrors. */
+export function factors<D extends Vec3 | undefined = undefined>(
+  doc: string,
+  options: Options<Vec3, D> = {},
+): Field<Vec3 | D> {
+  const expected = new Mismatch('must be one number or three "x y z", each from 1e-12 to 1e12 or the negative of that');
+  const accepts = (n: number): boolean => Math.abs(n) >= 1 / LARGEST_FACTOR && Math.abs(n) <= LARGEST_FACTOR;
+  return field('factors', doc, options, {
+    read: (value) => {
+      const one = readNumber(value);
+      const three = one === undefined ? readTriple(value) : Object.freeze([one, one, one] as const);
+      return three?.every(accepts) ? three : expected;
+    },
+    limits: { max: LARGEST_FACTOR },
+  });
 }
 
 interface ColorOptions<D> extends Options<Vec3, D> {

@@ -1,6 +1,7 @@
 /** A camera for a scene that does not say where it stands, or not all of it. */
 
 import type { ResolvedCamera } from './camera-frame.ts';
+import { flatScene } from './flat-scene.ts';
 import { primitiveOf } from './parts.ts';
 import type { Bounds } from './primitives/primitive.ts';
 import { type Camera, camera as cameraTable, type Scene } from './schema.ts';
@@ -40,7 +41,9 @@ function lensOf({ type, height, aperture, focusDistance }: Partial<Camera> = {})
 }
 
 function boundingSphere(scene: Scene): { readonly middle: Vec3; readonly radius: number } {
-  const boxes = scene.objects.map((object) => primitiveOf(object).bounds(object)).filter((box) => box !== undefined);
+  const boxes = flatScene(scene)
+    .objects.map(({ shape }) => primitiveOf(shape).bounds(shape))
+    .filter((box) => box !== undefined);
   if (boxes.length === 0) return { middle: [0, 0, 0], radius: 1 };
   const { min, max } = boxes.reduce(union);
   return { middle: scale(add(min, max), 0.5), radius: length(subtract(max, min)) / 2 };

@@ -4,7 +4,7 @@ import { glslFiles } from './glsl-files.ts';
 import { sceneLayout, viewLayout } from './pack-scene.ts';
 import { loadedParts, moreParts, pathParts } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
-import type { Requirements } from './requirements.ts';
+import { placedCount, type Requirements } from './requirements.ts';
 import { type BlockLayout, blockGlsl, structGlsl } from './std140.ts';
 import { unrolledObjects } from './unrolled-objects.ts';
 
@@ -66,10 +66,12 @@ export const glslName = (feature: string): string => feature.replace(/[A-Z]/g, '
 
 const countNames = { point: 'POINT_LIGHTS', directional: 'DIRECTIONAL_LIGHTS' } as const;
 
-const shapeIncludes = ({ shapes }: Requirements): string =>
-  shapeKinds
-    .filter((kind) => shapes[kind] > 0)
-    .map((kind) => `#include "shape/${kind}.glsl"\n`)
+const shapeIncludes = (required: Requirements): string =>
+  [
+    ...shapeKinds.filter((kind) => required.shapes[kind] + required.placed[kind] > 0),
+    ...(placedCount(required) > 0 ? ['placed'] : []),
+  ]
+    .map((name) => `#include "shape/${name}.glsl"\n`)
     .join('');
 
 function definedNames({ features: present, lights }: Requirements): Set<string> {

@@ -11,12 +11,15 @@ import type { Requirements } from './requirements.ts';
 import { isSolid } from './scene-needs.ts';
 import type { BlockLayout } from './std140.ts';
 
-/** The objects of one kind. Their numbers begin at `first`. */
+/** The objects of one kind, without or with a space of their own. Their numbers begin at `first`. */
 interface Group {
   readonly kind: ShapeKind;
-  readonly array: string;
   readonly count: number;
   readonly first: number;
+  /** The `i`-th of them. */
+  readonly shape: string;
+  /** The space of the `i`-th, if it has one. */
+  readonly place?: string;
 }
 
 export function indexedObjects(required: Requirements, scene: BlockLayout): string {
@@ -65,16 +68,36 @@ From fromCamera(Parts scene) {
 /** 1 for the object that a ray leaves, the `i`-th of its group. */
 const own = ({ first }: Group): string => `from.own.object == ${first} + i ? 1.0 : 0.0`;
 
-function objectGroups({ shapes }: Requirements): readonly Group[] {
-  let first = 0;
-  return shapeKinds
-    .filter((kind) => shapes[kind] > 0)
-    .map((kind) => {
-      const group = { kind, array: arrayName(kind), count: shapes[kind], first };
-      first += shapes[kind];
-      return group;
-    });
+function objectGroups({ shapes, placed }: Requirements): readonly Group[] {
+  let [first, placement] = [0, 0];
+  return shapeKinds.flatMap((kind) => {
+    const [plain, own] = [shapes[kind], placed[kind]];
+    const groups: readonly Group[] = [
+      { kind, count: plain, first, shape: element(arrayName(kind), 0) },
+      {
+        kind,
+        count: own,
+        first: first + plain,
+        shape: element(arrayName(kind), plain),
+        place: element('placements', placement),
+      },
+    ];
+    first += plain + own;
+    placement += own;
+    return groups.filter(({ count }) => count > 0);
+  });
 }
+
+/** The `i`-th from the `start`-th on. */
+const element = (array: string, start: number): string => `${array}[${start > 0 ? `${start} + ` : ''}i]`;
+
+/** A point or a unit direction of the scene, in the space of the group's shapes. */
+const ownPoint = ({ place }: Group, point: string): string => (place ? `placedPoint(${place}, ${point})` : point);
+const ownDirection = ({ place }: Group, d: string): string => (place ? `placedDirection(${place}, ${d}).xyz` : d);
+
+/** What rays share that start at a point. */
+const fromGlsl = (group: Group, point: string): string =>
+  `${group.kind}From(${group.shape}, ${ownPoint(group, point)})`;
 
 /** Few of these are written out: software rasterisers read the members of an array twice as fast at a constant place. */
 const SHORT_KINDS: readonly ShapeKind[] = ['sphere', 'plane', 'disc', 'quad', 'box', 'triangle'];
@@ -87,15 +110,22 @@ function loop({ kind, count }: Group, body: string): string {
 }
 
 function nearestGlsl(groups: readonly Group[]): string {
-  const searches = groups.map((group) =>
-    loop(
+  const searches = groups.map((group) => {
+    const { kind, shape, place, first } = group;
+    const distance = (d: string): string => `${kind}Distance(${shape}, seen, ${d}, ${own(group)})`;
+    return loop(
       group,
-      `    ${structName(group.kind)}From seen = ${group.kind}From(${group.array}[i], from.o);
-    if (from.camera) seen = ${group.kind}FromCamera(${group.array}[i]);
-    float t = ${group.kind}Distance(${group.array}[i], seen, d, ${own(group)});
-    if (t < hit.t) hit = Hit(t, ${group.first} + i);`,
-    ),
-  );
+      `    ${structName(kind)}From seen = ${fromGlsl(group, 'from.o')};
+    if (from.camera) seen = ${kind}FromCamera(${shape});
+${
+  place
+    ? `    vec4 e = placedDirection(${place}, d);
+    float t = placedDistance(${distance('e.xyz')}, e.w);`
+    : `    float t = ${distance('d')};`
+}
+    if (t < hit.t) hit = Hit(t, ${first} + i);`,
+    );
+  });
   return `Hit nearest(Parts scene, From from, vec3 d) {
   Hit hit = NOTHING;
 ${searches.join('\n')}
@@ -109,11 +139,16 @@ function occlusionGlsl(groups: readonly Group[], paths: boolean): string {
   const searches = groups
     .filter(({ kind }) => paths || isSolid(kind))
     .map((group) => {
-      const { kind, array, first } = group;
+      const { kind, shape, place, first } = group;
       const other = paths ? `${first} + i != lamp && ` : '';
+      const occlusion = (d: string, limit: string): string =>
+        `${other}${kind}Occlusion(${shape}, ${fromGlsl(group, 'from.o')}, ${d}, ${limit}, ${own(group)})`;
       return loop(
         group,
-        `    if (${other}${kind}Occlusion(${array}[i], ${kind}From(${array}[i], from.o), d, limit, ${own(group)}) > 0.0) return 1.0;`,
+        place
+          ? `    vec4 e = placedDirection(${place}, d);
+    if (${occlusion('e.xyz', 'min(limit * e.w, MISS)')} > 0.0) return 1.0;`
+          : `    if (${occlusion('d', 'limit')} > 0.0) return 1.0;`,
       );
     });
   return `float occlusion(Parts scene, From from, vec3 d, float limit${paths ? ', int lamp' : ''}) {
@@ -134,11 +169,18 @@ function forHit(groups: readonly Group[], statement: (group: Group) => string): 
 }
 
 function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
-  const checker = ({ kind, array }: Group): string =>
-    has(`${kind}Checker`) ? `\n    m.color += checkerOdd(${kind}Cells(${array}[i], p)) * m.checkerStep;` : '';
+  const checker = (group: Group): string =>
+    has(`${group.kind}Checker`)
+      ? `\n    m.color += checkerOdd(${group.kind}Cells(${group.shape}, ${ownPoint(group, 'p')})) * m.checkerStep;`
+      : '';
+  const asked = (group: Group): string => `${group.shape}, ${fromGlsl(group, 'from.o')}, ${ownDirection(group, 'd')}`;
+  const normal = (group: Group): string => {
+    const n = `${group.kind}Normal(${asked(group)}, 1.0)`;
+    return group.place ? `placedNormal(${group.place}, ${n})` : n;
+  };
   const frontAt = `bool frontAt(Parts scene, From from, vec3 d) {
   bool front;
-${forHit(groups, ({ kind, array }) => `front = ${kind}Front(${array}[i], ${kind}From(${array}[i], from.o), d);`)}
+${forHit(groups, (group) => `front = ${group.kind}Front(${asked(group)});`)}
   return front;
 }
 `;
@@ -149,12 +191,12 @@ ${forHit(groups, ({ kind, array }) => `front = ${kind}Front(${array}[i], ${kind}
 `;
   return `${has('sides') ? frontAt : ''}${has('thin') && has('solid') ? isClosed : ''}vec3 normalAt(Parts scene, From from, vec3 d) {
   vec3 n;
-${forHit(groups, ({ kind, array }) => `n = ${kind}Normal(${array}[i], ${kind}From(${array}[i], from.o), d, 1.0);`)}
+${forHit(groups, (group) => `n = ${normal(group)};`)}
   return n;
 }
 Material materialAt(Parts scene, From from, vec3 p) {
   Material m;
-${forHit(groups, (group) => `m = materials[${group.array}[i].material];${checker(group)}`)}
+${forHit(groups, (group) => `m = materials[${group.shape}.material];${checker(group)}`)}
   return m;
 }
 `;

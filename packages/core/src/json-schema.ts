@@ -1,8 +1,8 @@
 /** The JSON Schema of scene files, from the same table as the parser: for editors and for other validators. */
-import { type Field, type Fields, LARGEST_LENGTH } from './fields.ts';
+import { type Field, type Fields, LARGEST_FACTOR, LARGEST_LENGTH } from './fields.ts';
 import { limits } from './parse-scene.ts';
 import { primitives } from './primitives/index.ts';
-import { camera, environment, lights, material, type NodeTable, objectFields } from './schema.ts';
+import { camera, environment, group, lights, material, type NodeTable, objectFields } from './schema.ts';
 
 /** A JSON Schema (draft 2020-12) as plain data. */
 export type JsonSchema = { readonly [keyword: string]: unknown };
@@ -27,21 +27,31 @@ export function sceneJsonSchema(): JsonSchema {
         description: 'What a camera ray shows that meets no object.',
         anyOf: [{ enum: ['environment', 'transparent'] }, colorSchema({ max: 1 })],
       },
+      lights: lists.lights,
+      materials: { type: 'object', maxProperties: limits.materials, additionalProperties: node(material) },
+      objects: lists.objects,
+      extras: { description: "The author's own data, never read." },
+    }),
+    $defs: {
       lights: list(
         Object.entries(lights).map(([kind, table]) => variant(kind, table, kind !== 'point')),
         limits.lights,
       ),
-      materials: { type: 'object', maxProperties: limits.materials, additionalProperties: node(material) },
       objects: list(
-        Object.entries(primitives).map(([kind, table]) =>
-          variant(kind, { ...table, fields: { ...table.fields, ...objectFields, ...material.fields } }, true),
-        ),
+        [
+          ...Object.entries(primitives).map(([kind, table]) =>
+            variant(kind, { ...table, fields: { ...table.fields, ...objectFields, ...material.fields } }, true),
+          ),
+          variant('group', group, true),
+        ],
         limits.objects,
       ),
-      extras: { description: "The author's own data, never read." },
-    }),
+    },
   };
 }
+
+/** A group holds lists of the same kinds as the scene. */
+const lists = { lights: { $ref: '#/$defs/lights' }, objects: { $ref: '#/$defs/objects' } } as const;
 
 const object = (properties: { readonly [name: string]: JsonSchema }, required: readonly string[] = []): JsonSchema => ({
   type: 'object',
@@ -80,17 +90,34 @@ const valueSchemas: { readonly [K in Field<unknown>['kind']]: (limits: Limits) =
     }),
     ...(nonzero ? { contains: { not: { const: 0 } } } : {}),
   }),
+  factors: ({ max = LARGEST_FACTOR }) => {
+    const factor = { anyOf: [1, -1].map((sign) => between(sign / max, sign * max)) };
+    return { anyOf: [factor, triple(factor)] };
+  },
   color: colorSchema,
   choice: ({ choices }) => ({ enum: choices }),
   name: () => ({ type: 'string', pattern: '\\S' }),
 };
 
+const between = (a: number, b: number): JsonSchema => ({
+  type: 'number',
+  minimum: Math.min(a, b),
+  maximum: Math.max(a, b),
+});
+
 const node = ({ doc, fields }: NodeTable): JsonSchema => ({ description: doc, ...object(fieldSchemas(fields)) });
 
 /** A node that says its kind by `type`; the first kind of light need not. */
-const variant = (kind: string, { doc, fields }: NodeTable, named: boolean): JsonSchema => ({
+const variant = (kind: string, { doc, fields, holds = [] }: NodeTable, named: boolean): JsonSchema => ({
   description: doc,
-  ...object({ type: { const: kind }, ...fieldSchemas(fields) }, named ? ['type'] : []),
+  ...object(
+    {
+      type: { const: kind },
+      ...fieldSchemas(fields),
+      ...Object.fromEntries(holds.map((key) => [key, lists[key]])),
+    },
+    named ? ['type'] : [],
+  ),
 });
 
 const list = (variants: readonly JsonSchema[], maxItems: number): JsonSchema => ({

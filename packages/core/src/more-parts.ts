@@ -5,6 +5,7 @@ import coneGlsl from '../../../shaders/shape/cone.glsl';
 import convexGlsl from '../../../shaders/shape/convex.glsl';
 import cylinderGlsl from '../../../shaders/shape/cylinder.glsl';
 import discGlsl from '../../../shaders/shape/disc.glsl';
+import placedGlsl from '../../../shaders/shape/placed.glsl';
 import planeThrough from '../../../shaders/shape/plane-through.glsl';
 import planeTilted from '../../../shaders/shape/plane-tilted.glsl';
 import quadGlsl from '../../../shaders/shape/quad.glsl';
@@ -16,8 +17,10 @@ import torusGlsl from '../../../shaders/shape/torus.glsl';
 import triangleGlsl from '../../../shaders/shape/triangle.glsl';
 import splitDot from '../../../shaders/split-dot.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
+import { flattenGroups } from './flatten-groups.ts';
 import { indexedObjects } from './indexed-objects.ts';
 import { registerParts } from './parts.ts';
+import * as placed from './placed-shape.ts';
 import { anyPlane } from './primitives/any-plane.ts';
 import { anySphere } from './primitives/any-sphere.ts';
 import { box } from './primitives/box-shape.ts';
@@ -50,6 +53,7 @@ registerParts({
     'shape/convex.glsl': convexGlsl,
     'shape/cylinder.glsl': cylinderGlsl,
     'shape/disc.glsl': discGlsl,
+    'shape/placed.glsl': placedGlsl,
     'shape/plane-through.glsl': planeThrough,
     'shape/plane-tilted.glsl': planeTilted,
     'shape/quad.glsl': quadGlsl,
@@ -63,6 +67,8 @@ registerParts({
     'varyings.vert.glsl': varyingsVertex,
   },
   indexedObjects,
+  flattenGroups,
+  placed,
   rows: { varyingRows, structFromRows },
 });
 

@@ -3,9 +3,9 @@ import type { CameraFrame } from './camera-frame.ts';
 import { type Frame, powerOfTwoBelow, toFrame } from './frame.ts';
 import { type DirectKind, directionToLight, directKinds, lightRecords, packLight } from './light-records.ts';
 import { materialRecord, packMaterial } from './material-record.ts';
-import { pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
+import { moreParts, pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
-import type { Requirements } from './requirements.ts';
+import { placedCount, type Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import type { Light, Material } from './schema.ts';
 import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std140.ts';
@@ -21,12 +21,21 @@ export function sceneLayout(required: Requirements, { gapless = false } = {}): B
     layoutStruct(name, members, has, gapless);
   return layoutBlock('Scene', [
     ...shapeKinds
-      .filter((kind) => required.shapes[kind] > 0)
+      .filter((kind) => required.shapes[kind] + required.placed[kind] > 0)
       .map((kind) => ({
         name: arrayName(kind),
         struct: struct(structName(kind), [...primitiveOfKind(kind).record, material]),
-        count: required.shapes[kind],
+        count: required.shapes[kind] + required.placed[kind],
       })),
+    ...(placedCount(required) > 0
+      ? [
+          {
+            name: 'placements',
+            struct: struct('Placement', moreParts().placed.placementRecord),
+            count: placedCount(required),
+          },
+        ]
+      : []),
     ...directKinds.map((kind) => ({
       name: arrayName(lightRecords[kind].struct),
       struct: struct(lightRecords[kind].struct, lightRecords[kind].record),
@@ -87,20 +96,24 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   };
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;
+  let placements = 0;
   for (const kind of shapeKinds) {
-    const ofKind = scene.objects.filter(({ shape }) => shape.type === kind);
-    ofKind.forEach(({ shape, material: index }, i) => {
+    const [plain, placed] = [required.shapes[kind], required.placed[kind]];
+    const absent = plain + placed > 0 && primitiveOfKind(kind).absent;
+    for (let i = 0; absent && i < plain + placed; i++) writer.write(arrayName(kind), i, { ...absent, material: 0 });
+    let [i, j] = [0, 0];
+    for (const { shape, material: index } of scene.objects.filter((object) => object.shape.type === kind)) {
+      const place = shape.place && moreParts().placed.packPlacement(shape, shape.place, frame, wideRange);
+      if (place) writer.write('placements', placements + j, place);
+      const at = place ? plain + j++ : i++;
       const side = primitiveOf(shape).side(shape, frame.origin);
       const checkerSize = (scene.materials[index] as Material).checkerSize;
       const record = primitiveOf(shape).pack(shape, frame, { side, checkerSize, wideRange });
-      writer.write(arrayName(kind), i, { ...record, material: index });
-      if (!indexed) writer.write('materials', number + i, material(index));
-    });
-    for (let i = ofKind.length; i < required.shapes[kind]; i++) {
-      const { absent } = primitiveOfKind(kind);
-      if (absent) writer.write(arrayName(kind), i, { ...absent, material: 0 });
+      writer.write(arrayName(kind), at, { ...record, material: index });
+      if (!indexed) writer.write('materials', number + at, material(index));
     }
-    number += required.shapes[kind];
+    number += plain;
+    placements += placed;
   }
   for (const kind of directKinds) {
     const ofKind = scene.lights.filter((light): light is DirectLight => light.type === kind);
@@ -114,12 +127,12 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
 }
 
 /** By an object's place in the scene: its number in the shader, where there may be places between that are not filled. */
-function objectNumbers({ objects }: ResolvedScene, required: Requirements): readonly number[] {
+function objectNumbers({ objects }: ResolvedScene, { shapes, placed }: Requirements): readonly number[] {
   let first = 0;
   return shapeKinds.flatMap((kind) => {
-    const numbers = objects.filter(({ shape }) => shape.type === kind).map((_, i) => first + i);
-    first += required.shapes[kind];
-    return numbers;
+    let [plain, own] = [first, first + shapes[kind]];
+    first = own + placed[kind];
+    return objects.filter(({ shape }) => shape.type === kind).map(({ shape }) => (shape.place ? own++ : plain++));
   });
 }
 

@@ -1,20 +1,19 @@
 /** Scenes from strangers: JSON text, plain objects or what markup was read into, all through one validator. */
 import { builtInMaterials } from './built-in-materials.ts';
 import { contradiction } from './contradictions.ts';
-import { color, type Fields, Mismatch, shown, suggestion } from './fields.ts';
+import { color, type Fields, LARGEST_FACTOR, Mismatch, shown, suggestion } from './fields.ts';
 import { primitives } from './primitives/index.ts';
 import { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
 import {
   type Background,
   camera,
   environment,
-  type Light,
+  group,
   lights,
   material,
   type NodeTable,
   objectFields,
   type Scene,
-  type SceneObject,
 } from './schema.ts';
 
 /** How a source words things: where a path is, and how a field is spelt there. */
@@ -27,8 +26,8 @@ export interface SourceWords {
 
 const jsonWords: SourceWords = { locate: jsonPath, field: 'key', spell: (field) => field };
 
-/** How much a scene may hold. */
-export const limits = { objects: 1024, lights: 64, materials: 1024 } as const;
+/** How much a scene may hold, in groups too, which count as objects; and how deep groups may stand in each other. */
+export const limits = { objects: 1024, lights: 64, materials: 1024, depth: 16 } as const;
 
 const backgroundColor = color('What a camera ray shows that meets no object.');
 
@@ -63,6 +62,7 @@ type Raw = { readonly [key: string]: unknown };
 class SceneParser {
   readonly problems: Problem[] = [];
   readonly #words: SourceWords;
+  readonly #counts = { lights: 0, objects: 0 };
 
   constructor(words: SourceWords) {
     this.#words = words;
@@ -88,13 +88,15 @@ class SceneParser {
       ...this.#optional('camera', root, (path, value) => this.#node(path, value, camera, 'camera')),
       ...this.#optional('environment', root, (path, value) => this.#node(path, value, environment, 'environment')),
       ...this.#optional('background', root, (path, value) => this.#background(path, value)),
-      lights: this.#list(root, 'lights', (path, value) => this.#variant(path, value, lights, 'light') as Light),
+      lights: this.#list([], root, 'lights'),
       materials: this.#materials(root.materials),
-      objects: this.#list(root, 'objects', (path, value) => this.#sceneObject(path, value)),
+      objects: this.#list([], root, 'objects'),
       ...(root.extras === undefined ? {} : { extras: structuredCloneOf(root.extras) }),
-    };
-    this.#materialNames(scene as Scene);
-    return scene as Scene;
+    } as Scene;
+    this.#limit(['lights'], this.#counts.lights, 'lights');
+    this.#limit(['objects'], this.#counts.objects, 'objects');
+    this.#tree([], scene.objects, [...Object.keys(scene.materials), ...Object.keys(builtInMaterials)]);
+    return scene;
   }
 
   /** A newer file gets one clear message rather than one per key it uses. */
@@ -114,8 +116,12 @@ class SceneParser {
   #node(path: Path, input: unknown, table: NodeTable, label: string, given = false): object | undefined {
     const raw = this.#object(path, input, article(label));
     if (!raw) return undefined;
-    this.#unknownKeys(path, raw, Object.keys(table.fields), label);
-    const values = this.#values(path, raw, table.fields, given);
+    const { fields, holds = [] } = table;
+    this.#unknownKeys(path, raw, [...Object.keys(fields), ...holds], label);
+    const values = {
+      ...this.#values(path, raw, fields, given),
+      ...Object.fromEntries(holds.map((list) => [list, this.#list(path, raw, list)])),
+    };
     for (const message of contradiction(label, values)) this.#report(path, message);
     return values;
   }
@@ -149,7 +155,7 @@ class SceneParser {
     return values && { type: kind, ...values };
   }
 
-  #sceneObject(path: Path, input: unknown): SceneObject | undefined {
+  #sceneObject(path: Path, input: unknown): object | undefined {
     const raw = this.#object(path, input, 'an object');
     if (!raw) return undefined;
     const own: { [name: string]: unknown } = {};
@@ -161,7 +167,7 @@ class SceneParser {
     const common = this.#values(path, own, objectFields, true);
     const surface = this.#values(path, own, material.fields, true);
     const values = this.#variant(path, shape, objectTables, 'object');
-    return values && ({ ...values, ...common, ...surface } as SceneObject);
+    return values && { ...values, ...common, ...surface };
   }
 
   #materials(input: unknown): Scene['materials'] {
@@ -176,14 +182,29 @@ class SceneParser {
     );
   }
 
-  #materialNames({ materials, objects }: Scene): void {
-    const names = [...new Set([...Object.keys(materials), ...Object.keys(builtInMaterials)])];
-    objects.forEach((object, i) => {
-      if (object?.material === undefined || names.includes(object.material)) return;
-      const known = names.join(', ');
-      const near = suggestion(object.material, names);
-      const path = ['objects', i, 'material'];
-      this.#report(path, `unknown material "${object.material}"${near}. Materials here: ${known}.`, path.slice(0, 2));
+  /** What only a node's place tells: whether there is its material, and how groups within groups scale. */
+  #tree(above: Path, nodes: Scene['objects'], materials: readonly string[], factors: readonly number[] = [1, 1]): void {
+    nodes.forEach((node, i) => {
+      const path = [...above, 'objects', i];
+      if (node?.type === 'group') {
+        const own = node.scale?.map(Math.abs) ?? [1];
+        const [least, most] = [Math.min, Math.max].map((of, end) => (factors[end] as number) * of(...own)) as [
+          number,
+          number,
+        ];
+        if (Math.max(most, 1 / least, most / least) > LARGEST_FACTOR) {
+          const allowed = 'from 1e-12 to 1e12, and none 1e12 times another';
+          this.#report(path, `scale, with that of the groups around it, must stay ${allowed}`);
+        } else this.#tree(path, node.objects, materials, [least, most]);
+      } else if (node?.material !== undefined && !materials.includes(node.material)) {
+        const known = [...new Set(materials)];
+        const near = suggestion(node.material, known);
+        this.#report(
+          [...path, 'material'],
+          `unknown material "${node.material}"${near}. Materials here: ${known.join(', ')}.`,
+          path,
+        );
+      }
     });
   }
 
@@ -202,17 +223,27 @@ class SceneParser {
     return undefined;
   }
 
-  #list<T>(root: Raw, key: 'lights' | 'objects', read: (path: Path, value: unknown) => T | undefined): T[] {
-    const list = root[key] ?? [];
+  #list(above: Path, raw: Raw, key: 'lights' | 'objects'): unknown[] {
+    const list = raw[key] ?? [];
+    const path = [...above, key];
     if (!Array.isArray(list)) {
-      this.#report([key], `must be a list [ … ], not ${shown(list)}`);
+      this.#report(path, `must be a list [ … ], not ${shown(list)}`, above.length > 0 ? above : path);
       return [];
     }
-    this.#limit([key], list.length, key);
-    return list.slice(0, limits[key]).map((value, i) => read([key, i], value) as T);
+    if (above.length > 2 * limits.depth) {
+      if (key === 'objects') this.#report(above, `groups may stand in each other ${limits.depth} deep`);
+      return [];
+    }
+    const room = Math.max(limits[key] - this.#counts[key], 0);
+    this.#counts[key] += list.length;
+    return list
+      .slice(0, room)
+      .map((value, i) =>
+        key === 'lights' ? this.#variant([...path, i], value, lights, 'light') : this.#sceneObject([...path, i], value),
+      );
   }
 
-  #limit(path: Path, count: number, key: keyof typeof limits): void {
+  #limit(path: Path, count: number, key: 'lights' | 'objects' | 'materials'): void {
     if (count > limits[key]) this.#report(path, `a scene may hold ${limits[key]} ${key}, this one has ${count}`);
   }
 
@@ -229,9 +260,11 @@ class SceneParser {
 
   #unknownKeys(path: Path, raw: Raw, known: readonly string[], label: string): void {
     const { field, spell } = this.#words;
-    const listed =
-      path[0] === 'objects' ? [...known, ...Object.keys(objectFields), ...Object.keys(material.fields)] : known;
-    const words = listed.map(spell);
+    const listed = Object.hasOwn(primitives, label)
+      ? [...known, ...Object.keys(objectFields), ...Object.keys(material.fields)]
+      : known;
+    // In markup, what a node holds are not attributes.
+    const words = listed.filter((key) => field === 'key' || (key !== 'lights' && key !== 'objects')).map(spell);
     for (const key of Object.keys(raw)) {
       if (listed.includes(key)) continue;
       const takes = `${capitalized(article(label))} takes: ${words.join(', ')}.`;
@@ -244,7 +277,7 @@ class SceneParser {
   }
 }
 
-const objectTables: { readonly [kind: string]: NodeTable } = primitives;
+const objectTables: { readonly [kind: string]: NodeTable } = { ...primitives, group };
 
 const article = (label: string): string => `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
 

@@ -2,9 +2,11 @@
  * What shaders are made of, beyond what every scene needs. Spheres and planes are always there; the other shapes, the form
  * for many objects and that for software renderers come with the module `more-parts.ts`, which a page loads when it must.
  */
+import type { Affine } from './affine.ts';
 import type { CameraFrame } from './camera-frame.ts';
 import type { Feature } from './features.ts';
 import type { Fields } from './fields.ts';
+import type { FlatScene } from './flat-scene.ts';
 import type { Frame } from './frame.ts';
 import type { ShapeKind } from './primitives/index.ts';
 import { plane } from './primitives/plane.ts';
@@ -13,7 +15,7 @@ import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import type { SceneNeeds } from './scene-needs.ts';
-import type { Material } from './schema.ts';
+import type { Material, Scene } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 import type { SampleNumber } from './view-record.ts';
 
@@ -30,6 +32,9 @@ export interface MoreParts {
   readonly files: { readonly [file: string]: string };
   /** Writes the part of a shader that goes through many objects. */
   readonly indexedObjects: (required: Requirements, scene: BlockLayout) => string;
+  readonly flattenGroups: (scene: Scene) => FlatScene;
+  /** How shapes are packed that stay in a space of their own. */
+  readonly placed: typeof import('./placed-shape.ts');
   /** Writes what hands a scene's numbers on as varyings. */
   readonly rows: Pick<typeof import('./varying-rows.ts'), 'varyingRows' | 'structFromRows'>;
 }
@@ -111,4 +116,7 @@ export const primitiveOfKind = (kind: ShapeKind): AnyPrimitive => present(shapes
  * The primitive of a shape, for callers to whom its kind does not matter.
  * @throws {Error} when the kind has not been loaded.
  */
-export const primitiveOf = (shape: { readonly type: ShapeKind }): AnyPrimitive => primitiveOfKind(shape.type);
+export function primitiveOf({ type, place }: { readonly type: ShapeKind; readonly place?: Affine }): AnyPrimitive {
+  const primitive = primitiveOfKind(type);
+  return place ? moreParts().placed.placedPrimitive(primitive, place) : primitive;
+}

@@ -43,7 +43,7 @@ const hasFacets = ({ metalness, specular, transmission }: Material): boolean =>
 export const ROULETTE_FROM = 3;
 
 /** What paths need of all that the nodes bring with them. */
-export function pathFeatures({ bounces, shapes, emitters, features: given }: SceneNeeds): Set<Feature> {
+export function pathFeatures({ bounces, shapes, placed, emitters, features: given }: SceneNeeds): Set<Feature> {
   const present = new Set(given);
   const has = (feature: Feature): boolean => present.has(feature);
   const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
@@ -59,7 +59,7 @@ export function pathFeatures({ bounces, shapes, emitters, features: given }: Sce
   set('checker', hasChecker(present));
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
-  set('tiltedPlane', has('tiltedPlane') && shapes.plane > 0);
+  set('tiltedPlane', has('tiltedPlane') && shapes.plane + placed.plane > 0);
   set('exactRays', has('exactRays') && !has('orthographic'));
   return present;
 }

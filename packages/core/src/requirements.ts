@@ -13,6 +13,7 @@ export interface Requirements {
   readonly bounces: number;
   /** Places for objects, lights and materials. */
   readonly shapes: SceneNeeds['shapes'];
+  readonly placed: SceneNeeds['placed'];
   readonly lights: SceneNeeds['lights'];
   readonly emitters: number;
   readonly materials: number;
@@ -35,6 +36,7 @@ export const requirementsKey = ({ features: present, bounces, ...counts }: Requi
     present,
     isEndless ? bounces : 1,
     counts.shapes,
+    counts.placed,
     counts.lights,
     counts.emitters,
     counts.materials,
@@ -43,12 +45,12 @@ export const requirementsKey = ({ features: present, bounces, ...counts }: Requi
 
 /**
  * Up to so many spheres and planes (or lights) are written out one by one; more are gone through in loops, and found by
- * number. So are all objects where there are others: those branch, and in `do` loops that branch SwiftShader never ends.
+ * number. So are all objects where there are others, or placed ones: those branch, and in `do` loops that branch SwiftShader never ends.
  */
 const MOST_UNROLLED = 8;
 
 function derive(needs: SceneNeeds): Requirements {
-  const objects = total(needs.shapes);
+  const objects = total(needs.shapes) + total(needs.placed);
   const { sphere, plane } = needs.shapes;
   const follows = needs.features.has('path');
   const indexed = follows || objects > sphere + plane || objects > MOST_UNROLLED || total(needs.lights) > MOST_UNROLLED;
@@ -59,6 +61,7 @@ function derive(needs: SceneNeeds): Requirements {
     needs,
     bounces: needs.bounces,
     shapes: places(needs.shapes),
+    placed: places(needs.placed),
     lights: places(needs.lights),
     emitters: needs.emitters,
     // Objects that are written out one by one have a material each.
@@ -72,14 +75,17 @@ export const hasChecker = (present: ReadonlySet<Feature>): boolean =>
   shapeKinds.some((kind) => present.has(`${kind}Checker`));
 
 /** What `direct` needs of it, without what the nodes would have brought for nothing. */
-function directFeatures({ bounces, shapes, lights, features: given }: SceneNeeds, indexed: boolean): Set<Feature> {
+function directFeatures(
+  { bounces, shapes, placed, lights, features: given }: SceneNeeds,
+  indexed: boolean,
+): Set<Feature> {
   const present = new Set(given);
   const has = (feature: Feature): boolean => present.has(feature);
   const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
   const hasLights = total(lights) > 0;
   // A ray that leaves a torus may meet the same one again.
-  const several = total(shapes) > 1 || shapes.torus > 0;
-  const solid = shapeKinds.some((kind) => shapes[kind] > 0 && isSolid(kind));
+  const several = total(shapes) + total(placed) > 1 || shapes.torus + placed.torus > 0;
+  const solid = shapeKinds.some((kind) => shapes[kind] + placed[kind] > 0 && isSolid(kind));
 
   set('specular', has('specular') && has('dielectric'));
   const reflective = (hasLights || has('environment')) && (has('metal') || has('specular'));
@@ -101,6 +107,9 @@ function directFeatures({ bounces, shapes, lights, features: given }: SceneNeeds
 
 const total = (counts: { readonly [kind: string]: number }): number =>
   Object.values(counts).reduce((sum, count) => sum + count, 0);
+
+/** How many objects stay in a space of their own. */
+export const placedCount = ({ placed }: Pick<Requirements, 'placed'>): number => total(placed);
 
 /** The next power of two: a scene that grows object by object then compiles a few times, not each time. */
 const roundedUp = (count: number): number => (count === 0 ? 0 : 2 ** Math.ceil(Math.log2(count)));

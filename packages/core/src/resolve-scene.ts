@@ -1,10 +1,11 @@
 /** What an author left out gets an answer that looks good, and names become indices: the scene that is rendered. */
 import { builtInMaterials } from './built-in-materials.ts';
 import type { ResolvedCamera } from './camera-frame.ts';
+import { type FlatObject, flatScene, type PlacedShape } from './flat-scene.ts';
 import { frameObjects } from './frame-objects.ts';
 import { primitiveOf } from './parts.ts';
-import { type ShapeKind, shapeKinds } from './primitives/index.ts';
-import { type Background, type Light, type Material, material, type Scene, type Shape } from './schema.ts';
+import { shapeKinds } from './primitives/index.ts';
+import { type Background, type Light, type Material, material, type Scene, type SceneObject } from './schema.ts';
 import { scale, type Vec3 } from './vector.ts';
 
 /** Radiance from all around: top where y = 1, bottom where y = -1, linear in y between; `constant` when equal by design. */
@@ -14,13 +15,10 @@ export interface ResolvedEnvironment {
   readonly bottom: Vec3;
 }
 
-export interface ResolvedObject {
-  readonly shape: Shape<ShapeKind>;
+export interface ResolvedObject extends Pick<FlatObject, 'shape' | 'path'> {
   /** Index into `materials`. */
   readonly material: number;
-  /** Index of the object in the author's list; -1 for the ball of a light. */
-  readonly index: number;
-  /** Index into `lights` of the light that it is the ball of. */
+  /** Index into `lights` of the light that it is the ball of: then it has no path. */
   readonly light?: number;
 }
 
@@ -33,7 +31,7 @@ export interface ResolvedScene {
   readonly materials: readonly Material[];
   /** Objects that the camera is inside of, the innermost first, where light passes through them. */
   readonly around: readonly number[];
-  /** Ordered by kind as in `shapeKinds`: an object's place here is its number in the shader. */
+  /** Ordered by kind as in `shapeKinds`, those that stay in a space of their own after the others. */
   readonly objects: readonly ResolvedObject[];
 }
 
@@ -55,12 +53,15 @@ const studio = {
  */
 export function resolveScene(scene: Scene, aspect = 1, camera?: ResolvedCamera): ResolvedScene {
   const materials = new MaterialTable(scene);
-  const given = scene.objects.map((object, index) => ({ shape: object, material: materials.indexOf(object), index }));
-  const unlit = scene.lights.length === 0 && !scene.environment && !materials.list.some(isEmissive);
-  const lights = unlit ? [studio.key] : scene.lights;
-  const objects = [...given, ...ballsOf(lights, materials)].sort(
-    (a, b) => shapeKinds.indexOf(a.shape.type) - shapeKinds.indexOf(b.shape.type),
-  );
+  const flat = flatScene(scene);
+  const given = flat.objects.map(({ shape, object, path, cells }) => ({
+    shape,
+    material: materials.indexOf(object, cells),
+    path,
+  }));
+  const unlit = flat.lights.length === 0 && !scene.environment && !materials.list.some(isEmissive);
+  const lights = unlit ? [studio.key] : flat.lights;
+  const objects = [...given, ...ballsOf(lights, materials)].sort((a, b) => orderOf(a.shape) - orderOf(b.shape));
   const environment = unlit ? studio.environment : environmentOf(scene);
   const view = camera ?? frameObjects(scene, aspect);
   return {
@@ -74,6 +75,8 @@ export function resolveScene(scene: Scene, aspect = 1, camera?: ResolvedCamera):
   };
 }
 
+const orderOf = ({ type, place }: PlacedShape): number => 2 * shapeKinds.indexOf(type) + (place ? 1 : 0);
+
 /** Whether the material shines by itself. */
 export const isEmissive = ({ emission, emissionIntensity }: Material): boolean =>
   emissionIntensity > 0 && emission.some((channel) => channel > 0);
@@ -85,7 +88,7 @@ function ballsOf(lights: readonly Light[], materials: MaterialTable): ResolvedOb
     const { position: center, radius, color, intensity } = node;
     const emission = scale(color, intensity / (Math.PI * radius * radius));
     const material = materials.add({ ...materialDefaults, color: BLACK, specular: 0, emission });
-    return [{ shape: { type: 'sphere', center, radius } as const, material, index: -1, light }];
+    return [{ shape: { type: 'sphere', center, radius } as const, material, path: [], light }];
   });
 }
 
@@ -138,12 +141,14 @@ class MaterialTable {
     this.#scene = scene;
   }
 
-  indexOf(object: Scene['objects'][number]): number {
+  /** The material of an object whose checker has cells so many times as large. */
+  indexOf(object: SceneObject, cells = 1): number {
     const named = object.material === undefined ? {} : this.#named(object.material);
     const own = Object.fromEntries(
       Object.entries(object).filter(([name]) => Object.hasOwn(material.fields, name)),
     ) as Partial<Material>;
-    const resolved = { ...materialDefaults, ...named, ...own };
+    const given = { ...materialDefaults, ...named, ...own };
+    const resolved = { ...given, checkerSize: given.checkerSize * cells };
     // Every object that shines is a light of its own.
     if (isEmissive(resolved)) return this.add(resolved);
     const key = JSON.stringify(Object.keys(material.fields).map((name) => resolved[name as keyof Material]));

@@ -16,6 +16,8 @@ export interface SceneNeeds {
   /** The most surfaces that a ray meets. */
   readonly bounces: number;
   readonly shapes: { readonly [K in ShapeKind]: number };
+  /** Those that stay in a space of their own are counted by themselves. */
+  readonly placed: { readonly [K in ShapeKind]: number };
   /** For the integrator `direct`, and for `path`. */
   readonly lights: { readonly [K in DirectKind]: number };
   readonly emitters: number;
@@ -45,7 +47,9 @@ export function sceneNeeds(scene: ResolvedScene, { bounces, integrator }: Tracin
   const present = [...nodeFeatures(scene), ...checkers(scene), ...(paths?.features ?? [])];
   return {
     bounces,
-    shapes: counts(shapeKinds, kindsOrNone(scene)),
+    // GLSL knows no empty struct, so a scene without objects holds the place of one.
+    shapes: counts(shapeKinds, scene.objects.length > 0 ? kindsOf(scene, false) : ['sphere']),
+    placed: counts(shapeKinds, kindsOf(scene, true)),
     lights: counts(directKinds, paths ? [] : (scene.lights.map(({ type }) => type) as DirectKind[])),
     emitters: paths?.emitters ?? 0,
     materials: scene.materials.length,
@@ -61,6 +65,7 @@ export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
   return {
     bounces: b.bounces,
     shapes: largest(a.shapes, b.shapes),
+    placed: largest(a.placed, b.placed),
     lights: largest(a.lights, b.lights),
     emitters: Math.max(a.emitters, b.emitters),
     materials: Math.max(a.materials, b.materials),
@@ -123,9 +128,9 @@ function hasWideRange({ objects, camera }: ResolvedScene): boolean {
   );
 }
 
-/** The kinds of all objects. GLSL knows no empty struct, so a scene without objects holds the place of one. */
-const kindsOrNone = ({ objects }: ResolvedScene): readonly ShapeKind[] =>
-  objects.length > 0 ? objects.map(({ shape }) => shape.type) : ['sphere'];
+/** The kinds of all objects that stay in a space of their own, or of the others. */
+const kindsOf = ({ objects }: ResolvedScene, placed: boolean): readonly ShapeKind[] =>
+  objects.filter(({ shape }) => !!shape.place === placed).map(({ shape }) => shape.type);
 
 /** The features that the table of fields names for the values of this scene. */
 function nodeFeatures({ lights: nodes, materials }: ResolvedScene): string[] {

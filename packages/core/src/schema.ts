@@ -2,7 +2,7 @@
  * THE table: every node of a scene, every field of it, with its meaning, default, range, and the shader features that
  * its values switch on. Types, validation, JSON Schema, attributes and the reference docs all come from here.
  */
-import { choice, color, type Fields, name, number, type Values, vector } from './fields.ts';
+import { choice, color, type Fields, factors, name, number, type Values, vector } from './fields.ts';
 import type { primitives, ShapeKind } from './primitives/index.ts';
 import type { Vec3 } from './vector.ts';
 
@@ -10,6 +10,8 @@ import type { Vec3 } from './vector.ts';
 export interface NodeTable<F extends Fields = Fields> {
   readonly doc: string;
   readonly fields: F;
+  /** The lists of other nodes in it. */
+  readonly holds?: readonly ('lights' | 'objects')[];
 }
 
 export const camera = {
@@ -153,6 +155,20 @@ export const objectFields = {
   material: name('Name of a material; fields of the object itself go before those of the material.'),
 } satisfies Fields;
 
+/** Stands among the objects, and may hold groups itself. */
+export const group = {
+  doc: 'Objects and lights that are scaled, turned and moved together, in this order. They say where they are in its space.',
+  fields: {
+    name: objectFields.name,
+    position: vector('Where its origin is.', { default: [0, 0, 0] }),
+    rotation: vector('Angles in degrees: about its x axis, then its own y axis, then its own z axis.', {
+      default: [0, 0, 0],
+    }),
+    scale: factors('Factor along each of its axes, or one for all; below 0 it mirrors.', { default: [1, 1, 1] }),
+  },
+  holds: ['lights', 'objects'],
+} as const satisfies NodeTable;
+
 type LightOf<K extends LightKind> = { readonly type: K } & Values<(typeof lights)[K]['fields']>;
 type ObjectOf<K extends ShapeKind> = { readonly type: K } & Values<(typeof primitives)[K]['fields']> &
   Values<typeof objectFields> &
@@ -167,6 +183,11 @@ export type Light = { [K in LightKind]: LightOf<K> }[LightKind];
 export type Environment = Values<typeof environment.fields>;
 export type Material = Values<typeof material.fields>;
 export type SceneObject = { [K in ShapeKind]: ObjectOf<K> }[ShapeKind];
+export type Group = { readonly type: 'group'; readonly lights: readonly Light[] } & Values<typeof group.fields> & {
+    readonly objects: readonly SceneNode[];
+  };
+/** What stands in a list of objects. */
+export type SceneNode = SceneObject | Group;
 /** The shape of an object of one kind. */
 export type Shape<K extends ShapeKind> = { readonly type: K } & Values<(typeof primitives)[K]['fields']>;
 /** What a camera ray shows that meets no object: a linear colour, the environment, or nothing. */
@@ -181,6 +202,6 @@ export interface Scene {
   readonly background?: Background;
   readonly lights: readonly Light[];
   readonly materials: { readonly [name: string]: Partial<Material> };
-  readonly objects: readonly SceneObject[];
+  readonly objects: readonly SceneNode[];
   readonly extras?: unknown;
 }

@@ -42,8 +42,9 @@ export function pick(host: PickHost, box: Box, x: number, y: number): Picked | u
   const { start, direction } = cameraRay(frame, right, box.height - down);
   const hit = intersect(scene, { origin: add(frame.origin, start), direction });
   if (!hit) return undefined;
-  const { light, object } = hit;
-  return { ...hit, element: host.elementOf(light === undefined ? ['objects', object] : ['lights', light]) };
+  const { light, path } = hit;
+  const node = light === undefined ? path.flatMap((index) => ['objects', index]) : ['lights', light];
+  return { ...hit, element: host.elementOf(node) };
 }
 
 const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];

@@ -56,6 +56,13 @@ function nearestTag(typed: string): string | undefined {
   return near && (tags.includes(near) ? near : `ray-${near}`);
 }
 
+/** The scene or a group in it: where it is, and what it holds. */
+interface MarkupGroup {
+  readonly path: Problem['path'];
+  readonly lights: object[];
+  readonly objects: object[];
+}
+
 class MarkupReader implements Markup {
   readonly problems: Problem[] = [];
   readonly words: SourceWords = {
@@ -67,7 +74,7 @@ class MarkupReader implements Markup {
   /** By the path of a node, the element that it was read from. */
   readonly #elements = new Map<string, Element>();
   readonly #singles: { camera?: object; environment?: object } = {};
-  readonly #lists: { readonly lights: object[]; readonly objects: object[] } = { lights: [], objects: [] };
+  readonly #root: MarkupGroup = { path: [], lights: [], objects: [] };
   readonly #materials = new Map<string, object>();
 
   constructor(scene: Element) {
@@ -75,34 +82,45 @@ class MarkupReader implements Markup {
   }
 
   elementOf(path: Problem['path']): Element | undefined {
-    return this.#elements.get(key(path));
+    return path.length > 0 ? (this.#elements.get(path.join('/')) ?? this.elementOf(path.slice(0, -1))) : undefined;
   }
 
   get input(): object {
-    return { ...this.#singles, ...this.#lists, materials: Object.fromEntries(this.#materials) };
+    const { lights, objects } = this.#root;
+    return { ...this.#singles, lights, objects, materials: Object.fromEntries(this.#materials) };
   }
 
-  read(element: Element): void {
+  read(element: Element, group = this.#root): void {
     if (!isSceneMarkup(element)) return;
-    if (element instanceof SceneElement) this.#node(element);
+    let inside = group;
+    if (element instanceof SceneElement) inside = this.#node(element, group);
     else this.#unknown(element);
-    // What stands inside was meant to stand beside: what else is wrong with it is told at the same time.
-    for (const child of element.children) this.read(child);
+    // What stands inside of anything but a group was meant to stand beside: what else is wrong with it is told too.
+    for (const child of element.children) this.read(child, inside);
   }
 
-  #node(element: SceneElement): void {
+  /** Returns the group that the element's children are in. */
+  #node(element: SceneElement, group: MarkupGroup): MarkupGroup {
     const { kind, localName: tag } = element;
+    const isGroup = kind === 'group';
     const raw = { ...strangers(element), ...element.given };
-    if (element.childElementCount > 0) {
+    if (element.childElementCount > 0 && !isGroup) {
       this.#report(element, `holds other elements, as <${tag}/> does in HTML: write <${tag}></${tag}>`);
     }
-    if (kind === 'camera' || kind === 'environment') this.#single(kind, element, raw);
-    else if (kind === 'material') this.#material(element, raw);
-    else if (kind === 'light') this.#item('lights', element, raw);
-    else {
-      if ('type' in raw) this.#report(element, `unknown attribute "type": <${tag}> says it already`);
-      this.#item('objects', element, { ...raw, type: kind });
+    if (kind === 'light') this.#item('lights', element, raw, group);
+    else if (kind === 'camera' || kind === 'environment' || kind === 'material') {
+      if (group !== this.#root) this.#report(element, 'is of the whole scene: it cannot stand in a <ray-group>');
+      if (kind === 'material') this.#material(element, raw);
+      else this.#single(kind, element, raw);
+    } else {
+      for (const said of isGroup ? ['type', 'lights', 'objects'] : ['type']) {
+        if (said in raw) this.#report(element, `unknown attribute "${said}": <${tag}> says it already`);
+      }
+      const lists = { lights: [], objects: [] };
+      const path = this.#item('objects', element, { ...raw, ...(isGroup && lists), type: kind }, group);
+      if (isGroup) return { path, ...lists };
     }
+    return group;
   }
 
   #single(kind: 'camera' | 'environment', element: Element, raw: object): void {
@@ -111,15 +129,18 @@ class MarkupReader implements Markup {
     this.#elements.set(kind, element);
   }
 
-  #item(list: 'lights' | 'objects', element: Element, raw: object): void {
-    this.#elements.set(key([list, this.#lists[list].push(raw) - 1]), element);
+  /** Returns its path. */
+  #item(list: 'lights' | 'objects', element: Element, raw: object, group: MarkupGroup): Problem['path'] {
+    const path = [...group.path, list, group[list].push(raw) - 1];
+    this.#elements.set(path.join('/'), element);
+    return path;
   }
 
   #material(element: Element, { name, ...raw }: { readonly [field: string]: unknown }): void {
     if (typeof name !== 'string' || !name.trim()) this.#report(element, 'needs a name, for objects to refer to');
     else if (this.#materials.has(name)) this.#report(element, `another material has the name "${name}"`);
     this.#materials.set(String(name), raw);
-    this.#elements.set(key(['materials', String(name)]), element);
+    this.#elements.set(`materials/${name}`, element);
   }
 
   #unknown(element: Element): void {
@@ -133,9 +154,6 @@ class MarkupReader implements Markup {
     this.problems.push({ path: [], where: place(this.#scene, element), message });
   }
 }
-
-/** Of a node, whatever in the node a path goes on to. */
-const key = (path: Problem['path']): string => path.slice(0, 2).join('/');
 
 /** Attributes that mean nothing, for `parseScene` to complain about. */
 const strangers = (element: SceneElement): { readonly [field: string]: unknown } =>

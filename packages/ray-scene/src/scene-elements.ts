@@ -4,6 +4,7 @@ import {
   environment,
   type Field,
   type Fields,
+  group,
   type LightKind,
   lightKinds,
   lights,
@@ -28,7 +29,7 @@ import {
 const HTMLElementOrNot = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 /** What a scene element stands for. */
-export type NodeKind = 'camera' | 'light' | 'environment' | 'material' | ShapeKind;
+export type NodeKind = 'camera' | 'light' | 'environment' | 'material' | 'group' | ShapeKind;
 
 /** Who wants to know that a property of a scene element below it was set. */
 export interface SceneHost {
@@ -79,6 +80,7 @@ type NodeProperties = {
   light: { type: LightKind } & { [K in KeyOfAny<LightFields>]: ValueInAny<LightFields, K> | undefined };
   environment: PropertiesOf<typeof environment.fields>;
   material: { name: string | undefined } & Partial<PropertiesOf<typeof material.fields>>;
+  group: PropertiesOf<typeof group.fields>;
 } & {
   [K in ShapeKind]: PropertiesOf<(typeof primitives)[K]['fields'] & typeof objectFields> &
     Partial<PropertiesOf<typeof material.fields>>;
@@ -124,6 +126,7 @@ const classes: readonly (typeof SceneElement)[] = [
   elementOf('camera', camera.fields),
   elementOf('light', anyLight, LightElement),
   elementOf('environment', environment.fields),
+  elementOf('group', group.fields),
   elementOf('material', { name: objectFields.name, ...surfaceFields }),
   ...shapeKinds.map((kind) => elementOf(kind, { ...primitives[kind].fields, ...objectFields, ...surfaceFields })),
 ];

@@ -107,4 +107,5 @@ export class View {
 }
 
 /** Equal for lists of the same objects, whatever their numbers. */
-const objectSet = (objects: Scene['objects']): string => JSON.stringify(objects.map(({ type, name }) => [type, name]));
+const objectSet = (objects: Scene['objects']): string =>
+  JSON.stringify(objects.map((node) => [node.type, node.name, node.type === 'group' ? objectSet(node.objects) : '']));

@@ -5,6 +5,8 @@ import { lowWord } from './flat.ts';
 import type { Bounds } from './primitive.ts';
 import { definePrimitive } from './primitive.ts';
 
+const NOWHERE = [1e30, 1e30, 1e30] as const;
+
 export const box = definePrimitive({
   ...boxTable,
   record: [
@@ -19,8 +21,8 @@ export const box = definePrimitive({
     const [low, high] = [toFrame(frame, min), toFrame(frame, max)];
     return { low, high, low2: lowWord(low), high2: lowWord(high), perCell: 1 / (checkerSize * frame.scale) };
   },
-  // All of space lies beyond both of its ends.
-  absent: { low: [1, 1, 1], high: [-1, -1, -1], low2: [0, 0, 0], high2: [0, 0, 0], perCell: 0 },
+  // Beyond any distance that a ray gets to.
+  absent: { low: NOWHERE, high: NOWHERE, low2: [0, 0, 0], high2: [0, 0, 0], perCell: 0 },
   closed: true,
   bounds: (shape) => boxCorners(shape),
   extent(shape, frame) {

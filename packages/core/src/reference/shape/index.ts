@@ -1,4 +1,5 @@
 /** What the tracer asks of every kind of primitive; a kind that is missing here does not compile. */
+import type { Affine } from '../../affine.ts';
 import type { ShapeKind } from '../../primitives/index.ts';
 import '../../more-parts.ts';
 import type { Shape } from '../../schema.ts';
@@ -8,6 +9,7 @@ import { boxDistance, boxLengths, boxNormal } from './box.ts';
 import { coneDistance, coneLengths, coneNormal } from './cone.ts';
 import { cylinderDistance, cylinderLengths, cylinderNormal } from './cylinder.ts';
 import { discDistance, discLengths, discNormal } from './disc.ts';
+import { placed } from './placed.ts';
 import { planeDistance, planeLengths, planeNormal } from './plane.ts';
 import { quadDistance, quadLengths, quadNormal } from './quad.ts';
 import { sphereDistance, sphereLengths, sphereNormal } from './sphere.ts';
@@ -35,5 +37,7 @@ const tracedShapes: { readonly [K in ShapeKind]: TracedShape<K> } = {
   triangle: { distance: triangleDistance, normal: triangleNormal, lengths: triangleLengths },
 };
 
-export const tracedShape = <K extends ShapeKind>(shape: Shape<K>): TracedShape<K> =>
-  tracedShapes[shape.type as K] as TracedShape<K>;
+export function tracedShape<K extends ShapeKind>(shape: Shape<K> & { readonly place?: Affine }): TracedShape<K> {
+  const own = tracedShapes[shape.type as K] as TracedShape<K>;
+  return shape.place ? placed(own, shape.place) : own;
+}
