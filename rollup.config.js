@@ -84,15 +84,6 @@ const adoptedStyles = {
   },
 };
 
-/** gl-matrix makes a vector as it is loaded, for a function that nobody here calls: with that, much else would stay. */
-const withoutForEach = {
-  name: 'without-for-each',
-  transform: (code, path) =>
-    path.endsWith('gl-matrix/esm/vec3.js')
-      ? { code: code.replace(/export var forEach = [^]*/, ''), map: null }
-      : undefined,
-};
-
 /** Gives private names one letter, which terser does not. */
 const shortPrivateNames = {
   name: 'short-private-names',
