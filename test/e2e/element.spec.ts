@@ -24,7 +24,7 @@ test('twenty elements draw, with one context', async ({ page, complaints }) => {
     }
   });
   const markup = (hue: number) =>
-    `<ray-scene samples="4"><ray-sphere color="hsl(${18 * hue} 80% 50%)"></ray-sphere></ray-scene>`;
+    `<ray-scene integrator="direct" samples="4"><ray-sphere color="hsl(${18 * hue} 80% 50%)"></ray-sphere></ray-scene>`;
   await show(page, Array.from({ length: 20 }, (_, hue) => markup(hue)).join(''));
   const hashes = new Set<number>();
   for (let n = 0; n < 20; n++) {
@@ -52,7 +52,7 @@ test('a simple scene is drawn without other parts; a camera that goes into a bal
       return typeof value === 'string' ? 'some graphics card' : value;
     };
   });
-  await show(page, '<ray-scene samples="4"><ray-sphere></ray-sphere></ray-scene>');
+  await show(page, '<ray-scene integrator="direct" samples="4"><ray-sphere></ray-sphere></ray-scene>');
   const { hash } = await picture(page);
   expect(parts).toEqual([]);
   const inside = await page.locator('ray-scene').evaluate(async (element) => {
@@ -83,7 +83,8 @@ test('a misspelt attribute is told in the element, once on the console, and as a
   );
   const message =
     'unknown attribute "raduis" (did you mean "radius"?). A sphere takes: center, radius, name, material, color, ' +
-    'metalness, roughness, ior, specular, specular-color, checker, checker-size.';
+    'metalness, roughness, ior, specular, specular-color, transmission, attenuation-color, attenuation-distance, ' +
+    'emission, emission-intensity, emission-side, checker, checker-size.';
   expect(problems).toMatchObject([{ where: 'ray-scene > ray-sphere[2]', message }]);
   await expect(page.getByRole('alert')).toHaveText(`ray-scene > ray-sphere[2]: ${message}`);
   expect(told).toEqual([`ray-scene > ray-sphere[2]: ${message}`]);

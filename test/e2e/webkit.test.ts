@@ -57,7 +57,7 @@ test('twenty elements draw', async () => {
   await browser.goto(`${server.url}test/e2e/fixtures/page.html`);
   await browser.execute(() => {
     const markup = (hue: number) =>
-      `<ray-scene samples="4"><ray-sphere color="hsl(${18 * hue} 80% 50%)"></ray-sphere></ray-scene>`;
+      `<ray-scene integrator="direct" samples="4"><ray-sphere color="hsl(${18 * hue} 80% 50%)"></ray-sphere></ray-scene>`;
     document.body.innerHTML = Array.from({ length: 20 }, (_, hue) => markup(hue)).join('');
   });
   const shown = await pictures();
