@@ -37,6 +37,10 @@ export const features = [
   'emissive',
   'sides',
   'roulette',
+  // What is shown of the first surface, in place of its light:
+  'normal',
+  'depth',
+  'albedo',
   'lens',
   'orthographic',
   // What can be asked for light:

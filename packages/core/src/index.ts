@@ -26,6 +26,7 @@ export { type Intersection, intersect } from './reference/intersect.ts';
 export { mergeRequirements, type Requirements, requirements, requirementsKey } from './requirements.ts';
 export { type ResolvedScene, resolveScene } from './resolve-scene.ts';
 export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
+export { isSurfaceOutput } from './scene-needs.ts';
 export * from './schema.ts';
 export { serializeScene } from './serialize-scene.ts';
 export { parseSettings, qualities, type RenderSettings, settingsFields } from './settings.ts';

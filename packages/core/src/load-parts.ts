@@ -25,11 +25,8 @@ export const loadShapes = ({ objects }: Pick<Scene, 'objects'>): Promise<unknown
   loadUnless(objects.every(({ type }) => type === 'sphere' || type === 'plane'));
 
 /** Loads what going through a scene path by path takes, before it is known what that requires; undefined: it is there. */
-export const loadPaths = (
-  scene: ResolvedScene,
-  { integrator }: Pick<Tracing, 'integrator'>,
-): Promise<unknown> | undefined =>
-  loadedPaths() || !followsPaths(scene, integrator)
+export const loadPaths = (scene: ResolvedScene, tracing: Partial<Tracing>): Promise<unknown> | undefined =>
+  loadedPaths() || !followsPaths(scene, tracing)
     ? undefined
     : Promise.all([loadUnless(false), import('./path-parts.ts')]);
 

@@ -26,6 +26,7 @@ import dielectric from '../../../shaders/material/dielectric.glsl';
 import fresnel from '../../../shaders/material/fresnel.glsl';
 import microfacet from '../../../shaders/material/microfacet.glsl';
 import media from '../../../shaders/media.glsl';
+import output from '../../../shaders/output.glsl';
 import pathFragment from '../../../shaders/path.frag.glsl';
 import path from '../../../shaders/path.glsl';
 import sampler from '../../../shaders/sampler.glsl';
@@ -37,6 +38,7 @@ import whitted from '../../../shaders/whitted.glsl';
 export const pathFiles: { readonly [file: string]: string } = {
   'circle.glsl': circle,
   'lens.glsl': lens,
+  'output.glsl': output,
   'light/emitter/area.glsl': emitterArea,
   'light/emitter/box.glsl': emitterBox,
   'light/emitter/cone.glsl': emitterCone,

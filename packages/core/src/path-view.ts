@@ -10,6 +10,7 @@ export const pathEyeRecord = [
   { name: 'lensX', type: 'vec3', when: 'LENS' },
   { name: 'focus', type: 'float', when: 'LENS' },
   { name: 'lensY', type: 'vec3', when: 'LENS' },
+  { name: 'toFocus', type: 'float', when: 'DEPTH' },
   { name: 'sequence', type: 'uint' },
   { name: 'reversed', type: 'uint' },
 ] as const;
@@ -28,6 +29,7 @@ export function packPathEye(
     lensX: times(lens[0], scale),
     focus: (focus * scale) / eyeUnit(view, scale),
     lensY: times(lens[1], scale),
+    toFocus: focus * scale,
     sequence: sequenceSeed(sample, seed),
     reversed: reverseBits(sample >>> 1),
   };

@@ -10,7 +10,7 @@ import { lights, material, type Shape } from './schema.ts';
 import type { RenderSettings } from './settings.ts';
 
 /** How light is followed: what of the settings bears on the shader. */
-export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator'>>;
+export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator' | 'output'>>;
 
 export interface SceneNeeds {
   /** The most surfaces that a ray meets. */
@@ -28,8 +28,9 @@ export interface SceneNeeds {
 }
 
 /** The needs of a scene, when rays may meet up to `bounces` surfaces. */
-export function sceneNeeds(scene: ResolvedScene, { bounces, integrator }: Tracing): SceneNeeds {
-  const paths = followsPaths(scene, integrator) ? pathParts().needs(scene) : undefined;
+export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
+  const { bounces, integrator, output } = tracing;
+  const paths = followsPaths(scene, tracing) ? pathParts().needs(scene) : undefined;
   const facts: { readonly [F in Feature]?: boolean } = {
     inside: scene.objects.some(
       ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
@@ -44,7 +45,12 @@ export function sceneNeeds(scene: ResolvedScene, { bounces, integrator }: Tracin
     whitted: !!paths && integrator === 'direct',
     backgroundColor: typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment),
   };
-  const present = [...nodeFeatures(scene), ...checkers(scene), ...(paths?.features ?? [])];
+  const present = [
+    ...nodeFeatures(scene),
+    ...checkers(scene),
+    ...(paths?.features ?? []),
+    ...views.filter((view) => view === output),
+  ];
   return {
     bounces,
     // GLSL knows no empty struct, so a scene without objects holds the place of one.
@@ -73,15 +79,18 @@ export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
   };
 }
 
-/** Kinds of cameras: of them, too, there is but one. */
-const views: readonly Feature[] = ['lens', 'orthographic'];
+/** Kinds of cameras and of what they show: of them, too, there is but one. */
+const views: readonly string[] = ['lens', 'orthographic', 'normal', 'depth', 'albedo'];
+
+/** Whether an output shows what surfaces are like, as opposed to their light and the noise of that. */
+export const isSurfaceOutput = (output?: string): boolean => views.includes(`${output}`);
 
 /**
  * Whether an integrator goes through the scene path by path: `direct` does only where light comes from more than points
- * or goes through surfaces, or the camera is more than a pinhole.
+ * or goes through surfaces, or the camera is more than a pinhole. What shows surfaces comes with paths, too.
  */
-export const followsPaths = (scene: ResolvedScene, integrator: Tracing['integrator']): boolean =>
-  integrator === 'path' || !isPlain(scene);
+export const followsPaths = (scene: ResolvedScene, { integrator, output }: Partial<Tracing>): boolean =>
+  integrator === 'path' || isSurfaceOutput(output) || !isPlain(scene);
 
 function isPlain({ camera, lights: nodes, materials }: ResolvedScene): boolean {
   return (

@@ -41,8 +41,8 @@ export const settingsFields = {
     default: 'neutral',
   }),
   output: choice(
-    'What is shown; error: how noisy the picture is, dark 0.1 %, bright 100 %; samples: where there are most.',
-    ['beauty', 'error', 'samples'],
+    'What is shown; normal: of the first surface, 0.5 n + 0.5; depth: how near it is, 1 / (1 + t / T), T being the distance in focus; albedo: its base colour; error: how noisy the picture is, dark 0.1 %, bright 100 %; samples: where there are most.',
+    ['beauty', 'normal', 'depth', 'albedo', 'error', 'samples'],
     { default: 'beauty' },
   ),
   seed: number('Start of the random numbers.', { default: 0, min: 0, max: 2 ** 32 - 1, integer: true }),

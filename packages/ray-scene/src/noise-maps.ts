@@ -7,7 +7,7 @@ import { type NoiseMeter, noiseSource } from './noise-meter.ts';
 import type { Program } from './program.ts';
 import type { RenderDevice } from './render-device.ts';
 
-export type NoiseOutput = Exclude<RenderSettings['output'], 'beauty'>;
+export type NoiseOutput = Extract<RenderSettings['output'], 'error' | 'samples'>;
 
 /** What a map is drawn from. There is no meter before anything was measured. */
 interface Sources {

@@ -1,5 +1,5 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
-import { loadShapes, type RenderSettings, type ResolvedCamera, type Scene } from '@ray-scene/core';
+import { isSurfaceOutput, loadShapes, type RenderSettings, type ResolvedCamera, type Scene } from '@ray-scene/core';
 import type { Accumulation } from './accumulation.ts';
 import { Display } from './display.ts';
 import type { NoiseWatch } from './noise-watch.ts';
@@ -299,8 +299,10 @@ export class Renderer {
   #present(accumulation: Accumulation): void {
     const { exposure, toneMapping, output } = this.#view.settings;
     const { width, height } = accumulation;
-    let draw = (): void => this.#displayFor(toneMapping).draw(accumulation, exposure);
-    if (output !== 'beauty') {
+    // What surfaces are like is no light.
+    const isLight = !isSurfaceOutput(output);
+    let draw = (): void => this.#displayFor(isLight ? toneMapping : 'none').draw(accumulation, isLight ? exposure : 1);
+    if (output === 'error' || output === 'samples') {
       const watch = this.#watch;
       if (!watch) return;
       draw = () => watch.draw(output, accumulation);

@@ -1,6 +1,7 @@
 /** What a view shows: which scene, from where, with which settings, how large. Knows no WebGL. */
 import {
   frameObjects,
+  isSurfaceOutput,
   mergeRequirements,
   parseScene,
   parseSettings,
@@ -72,9 +73,9 @@ export class View {
   }
 
   set settings(settings: RenderSettings) {
-    const { bounces, integrator, seed } = this.#settings;
+    const before = traced(this.#settings);
     this.#settings = settings;
-    if (settings.bounces !== bounces || settings.integrator !== integrator || settings.seed !== seed) this.#restart();
+    if (traced(settings) !== before) this.#restart();
   }
 
   set override(camera: ResolvedCamera | undefined) {
@@ -105,6 +106,10 @@ export class View {
     this.#revision++;
   }
 }
+
+/** Equal for settings that give the same samples. */
+const traced = ({ bounces, integrator, seed, output }: RenderSettings): string =>
+  `${[bounces, integrator, seed, isSurfaceOutput(output) && output]}`;
 
 /** Equal for lists of the same objects, whatever their numbers. */
 const objectSet = (objects: Scene['objects']): string =>

@@ -2,12 +2,13 @@
 import { type CameraFrame, cameraFrame, cameraRay } from '../camera-frame.ts';
 import { pixelSample, pixelSampler, type Sampler, sample2d } from '../random.ts';
 import { resolveScene } from '../resolve-scene.ts';
-import { followsPaths } from '../scene-needs.ts';
+import { followsPaths, isSurfaceOutput } from '../scene-needs.ts';
 import type { Scene } from '../schema.ts';
 import { parseSettings, type RenderSettings } from '../settings.ts';
 import { add, type Vec3 } from '../vector.ts';
 import { circle } from './circle.ts';
 import { direct } from './direct.ts';
+import { firstSurface } from './output.ts';
 import { path } from './path.ts';
 import { preparePaths } from './path-scene.ts';
 import type { Ray } from './ray.ts';
@@ -33,9 +34,9 @@ export interface ReferenceImage {
  */
 export function renderReference(scene: Scene, settings: ReferenceSettings): ReferenceImage {
   const { width, height, nudge = [0, 0, 0], ...rest } = settings;
-  const { samples, seed, bounces, integrator } = parseSettings(rest);
+  const { samples, seed, bounces, integrator, output } = parseSettings(rest);
   const resolved = resolveScene(scene, width / height);
-  const paths = followsPaths(resolved, integrator) ? preparePaths(resolved, integrator) : undefined;
+  const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator) : undefined;
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
     const frame = cameraFrame(resolved.camera, width, height, pixelSample(sample, seed));
@@ -44,7 +45,11 @@ export function renderReference(scene: Scene, settings: ReferenceSettings): Refe
       const y = height - 1 - row;
       const sampler = pixelSampler(x, y, sample, seed);
       const ray = nudged(rayThrough(frame, x, y, sampler), nudge);
-      const rgba = paths ? path(paths, ray, bounces, sampler) : direct(resolved, ray, bounces);
+      const rgba = isSurfaceOutput(output)
+        ? firstSurface(resolved, ray, output, frame.focus)
+        : paths
+          ? path(paths, ray, bounces, sampler)
+          : direct(resolved, ray, bounces);
       rgba.forEach((value, i) => {
         data[4 * pixel + i] = (data[4 * pixel + i] as number) + value / samples;
       });
