@@ -83,6 +83,11 @@ describe('paths on the GPU against the reference', function () {
     it(`draws ${what} alike`, () => agree(what, parseScene(scene), 'path'));
   }
 
+  for (const name of ['ball-lens', 'cornell', 'focus', 'rough-glass', 'shadows', 'whitted']) {
+    it(`draws the example ${name} alike`, async () =>
+      agree(name, parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text()), 'path'));
+  }
+
   const whitted = [
     'a soft lamp, a spotlight and a sun',
     'a glass ball',
