@@ -128,6 +128,12 @@ test('every scene file is valid, and every page that lists scenes lists all', ()
   }
 });
 
+test('the README lists every example page', () => {
+  const pages = readdirSync('examples').filter((name) => name.endsWith('.html') && name !== 'index.html');
+  const listed = [...read('README.md').matchAll(/\]\(examples\/(.*?\.html)\)/g)].map(([, name]) => name);
+  assert.deepEqual(listed.sort(), pages.sort());
+});
+
 test('every link of a document leads to a file', () => {
   for (const path of documents) {
     for (const [, target = ''] of read(path).matchAll(/\]\(([^)#]+)(?:#[^)]*)?\)/g)) {
