@@ -116,6 +116,7 @@ describe('compilation', () => {
     compilesFor(withObjects(sphere));
     const before = device.compileCount;
     const other = new Renderer(document.createElement('canvas'), device);
+    other.setSettings(parseSettings({ integrator: 'direct', samples: 1 }));
     other.setScene(withObjects({ ...sphere, color: 'red' }));
     other.draw(1);
     expect(device.compileCount).to.equal(before);
@@ -127,6 +128,7 @@ describe('compilation', () => {
     const before = device.compileCount;
     renderer.dispose();
     renderer = new Renderer(document.createElement('canvas'), device);
+    renderer.setSettings(parseSettings({ integrator: 'direct', samples: 1 }));
     compilesFor(withObjects(sphere));
     expect(device.compileCount).to.equal(before);
   });
