@@ -61,6 +61,18 @@ vec3 sunsAt(vec3 d, float pdf) {
   return light;
 }
 #endif
+#ifdef IMAGE_EMITTER
+// The image of the surroundings, weighted in the same way.
+vec3 imageAt(vec3 d, float pdf) {
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < EMITTERS; i++) {
+    if (!isImage(emitters[i])) continue;
+    float weight = pdf > 0.0 ? powerHeuristic(pdf, emitterPdf(i, vec3(0.0), d, MISS, 1.0, -1)) : 1.0;
+    light += weight * imageRadiance(emitters[i], d);
+  }
+  return light;
+}
+#endif
 
 bool isBlack(vec3 color) {
   return max(max(color.r, color.g), color.b) <= 0.0;
@@ -94,12 +106,19 @@ vec4 path() {
   for (int event = 0; event <= BOUNCES; event++) {
     Hit hit = nearest(scene, from, d);
     if (!(hit.t < MISS)) {
+#ifdef BACKGROUND_IMAGE
+      if (event == 0) return background(scene, d) + vec4(imageAt(d, 0.0), 0.0);
+#else
       if (event == 0) return background(scene, d);
+#endif
 #ifdef ENVIRONMENT
       radiance += throughput * environmentRadiance(scene.surroundings, d);
 #endif
 #ifdef SUN_EMITTER
       radiance += throughput * sunsAt(d, scatteredPdf);
+#endif
+#ifdef IMAGE_EMITTER
+      radiance += throughput * imageAt(d, scatteredPdf);
 #endif
       break;
     }

@@ -115,6 +115,12 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
     { environment: { color: 'red', top: 'blue', bottom: 'red' } },
     ['environment: takes a color, or top and bottom, not both'],
   ],
+  [
+    'surroundings said twice',
+    { environment: { src: 'sky.hdr', color: 'red' } },
+    ['environment: takes a src or colours, not both'],
+  ],
+  ['an address that is none', { environment: { src: ' ' } }, ['environment: src must be an address, not " "']],
 ];
 
 for (const [what, scene, expected] of messages) {

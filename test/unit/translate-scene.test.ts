@@ -1,7 +1,11 @@
 // Scenes as another renderer describes them, in our words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { type EnvironmentImage, imageTable, type Vec3 } from '@ray-scene/core';
+import { environmentImage } from '../../packages/core/src/reference/light/environment-image.ts';
+import { normalize } from '../../packages/core/src/vector.ts';
 import type { NeutralMaterial, NeutralObject, NeutralScene } from '../truth/images/neutral-scene.ts';
+import { environmentImages } from '../truth/images/translate-environment.ts';
 import { translateScene } from '../truth/images/translate-scene.ts';
 
 const empty: NeutralScene = {
@@ -63,6 +67,30 @@ test('without surroundings the background is black', () => {
   assert.equal(ours({}).environment, undefined);
   const sky = ours({ environment: { type: 'constant', radiance: [1, 2, 3] } });
   assert.deepEqual([sky.background, sky.environment], ['environment', { color: [1, 2, 3] }]);
+});
+
+test('an image of the surroundings has our places of texels, and shows the same in the same directions', async () => {
+  const [width, height] = [8, 5];
+  const data = Float32Array.from({ length: 3 * width * height }, (_, i) => ((i * 7919) % 101) / 101);
+  const environment = { type: 'envmap', file: 'sky', width, height };
+  const scene = ours({ environment });
+  assert.deepEqual(scene.environment, { src: 'sky', rotation: -90 });
+  const images = await environmentImages({ ...empty, environment }, async () => data.slice().buffer);
+  const image = imageTable(images.get('sky') as EnvironmentImage);
+  const theirs = ([x, y, z]: Vec3): number => {
+    const u = Math.atan2(x, -z) / (2 * Math.PI);
+    const X = (u - Math.floor(u)) * width - 0.5;
+    const Y = (Math.acos(y) / Math.PI) * (height - 1);
+    const [i, j] = [Math.floor(X), Math.min(Math.floor(Y), height - 2)];
+    const at = (column: number, row: number) => data[3 * (row * width + ((column + width) % width))] as number;
+    const row = (k: number) => at(i, k) + (at(i + 1, k) - at(i, k)) * (X - i);
+    return row(j) + (row(j + 1) - row(j)) * (Y - j);
+  };
+  for (let k = 0; k < 200; k++) {
+    const direction = normalize([Math.sin(12.3 * k), Math.sin(4.7 * k + 1), Math.sin(7.1 * k + 2)]);
+    const [found] = environmentImage(image, -0.25, direction);
+    assert.ok(Math.abs(found - theirs(direction)) < 1 / 40, `${direction}: ${found}, ${theirs(direction)}`);
+  }
 });
 
 test('a turned box is a box in a group about its centre', () => {

@@ -61,7 +61,8 @@ const rules: { readonly [label: string]: (node: NodeValues) => readonly (string 
       ? 'target must not be the position: the light would go nowhere'
       : false,
   ],
-  environment: ({ color, top, bottom }) => [
+  environment: ({ color, top, bottom, src }) => [
+    !!src && !!(color || top || bottom) && 'takes a src or colours, not both',
     !!color && !!(top || bottom) && 'takes a color, or top and bottom, not both',
     !color && !!top !== !!bottom && 'top and bottom belong together',
   ],

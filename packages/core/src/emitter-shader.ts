@@ -39,7 +39,7 @@ function forKind(kinds: readonly EmitterKind[], statement: (kind: EmitterKind) =
 /** The file `generated/limits.glsl`. */
 export function limitsGlsl({ bounces, features, emitters }: Requirements): string {
   const roulette = features.includes('roulette') ? `const int ROULETTE_FROM = ${ROULETTE_FROM};\n` : '';
-  const isListed = features.includes('sunEmitter') || features.includes('whitted');
+  const isListed = (['sunEmitter', 'imageEmitter', 'whitted'] as const).some((feature) => features.includes(feature));
   const list = isListed ? `const int EMITTERS = ${emitters};\n` : '';
   return `const int BOUNCES = ${bounces};\n${roulette}${list}`;
 }

@@ -68,6 +68,7 @@ export const features = [
   'gradient',
   'backgroundColor',
   'backgroundEnvironment',
+  'backgroundImage',
 ] as const;
 
 export type Feature = (typeof features)[number];

@@ -232,14 +232,14 @@ export function choice<const C extends string | number>(
   });
 }
 
-/** A short text without meaning to the engine: an author's name for something. */
-export function name(doc: string): Field<string | undefined> {
+/** A short text without meaning to the engine: an author's name for something, or where something is. */
+export function name(doc: string, what = 'a name'): Field<string | undefined> {
   return field(
     'name',
     doc,
     {},
     {
-      read: (value) => (typeof value === 'string' && value.trim() ? value.trim() : new Mismatch('must be a name')),
+      read: (value) => (typeof value === 'string' && value.trim() ? value.trim() : new Mismatch(`must be ${what}`)),
       limits: {},
     },
   );

@@ -9,6 +9,7 @@ export {
   type ResolvedCamera,
   rayDirection,
 } from './camera-frame.ts';
+export { type EnvironmentImage, imageTable } from './environment-image.ts';
 export { type Feature, features } from './features.ts';
 export { type Field, type Fields, type Limits, Mismatch, suggestion, type Values } from './fields.ts';
 export { frameObjects } from './frame-objects.ts';
@@ -24,7 +25,7 @@ export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
 export { pixelSample } from './random.ts';
 export { type Intersection, intersect } from './reference/intersect.ts';
 export { mergeRequirements, type Requirements, requirements, requirementsKey } from './requirements.ts';
-export { type ResolvedScene, resolveScene } from './resolve-scene.ts';
+export { type EnvironmentImages, type ResolvedScene, resolveScene } from './resolve-scene.ts';
 export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
 export { isSurfaceOutput } from './scene-needs.ts';
 export * from './schema.ts';

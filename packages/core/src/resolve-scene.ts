@@ -1,6 +1,8 @@
 /** What an author left out gets an answer that looks good, and names become indices: the scene that is rendered. */
 import { builtInMaterials } from './built-in-materials.ts';
 import type { ResolvedCamera } from './camera-frame.ts';
+import type { ImageEnvironment } from './emitters.ts';
+import type { EnvironmentImage } from './environment-image.ts';
 import { type FlatObject, flatScene, type PlacedShape } from './flat-scene.ts';
 import { frameObjects } from './frame-objects.ts';
 import { primitiveOf } from './parts.ts';
@@ -9,11 +11,16 @@ import { type Background, type Light, type Material, material, type Scene, type 
 import { scale, type Vec3 } from './vector.ts';
 
 /** Radiance from all around: top where y = 1, bottom where y = -1, linear in y between; `constant` when equal by design. */
-export interface ResolvedEnvironment {
+export interface EvenEnvironment {
   readonly kind: 'constant' | 'gradient';
   readonly top: Vec3;
   readonly bottom: Vec3;
 }
+
+export type ResolvedEnvironment = EvenEnvironment | ImageEnvironment;
+
+/** Images that have been loaded, by the address that the scene gives. */
+export type EnvironmentImages = ReadonlyMap<string, EnvironmentImage>;
 
 export interface ResolvedObject extends Pick<FlatObject, 'shape' | 'path'> {
   /** Index into `materials`. */
@@ -49,9 +56,14 @@ const studio = {
 
 /**
  * Resolves a scene for a picture whose width is `aspect` times its height. `camera` replaces the scene's own, as
- * camera controls do.
+ * camera controls do. Surroundings whose image is not among `images` are dark.
  */
-export function resolveScene(scene: Scene, aspect = 1, camera?: ResolvedCamera): ResolvedScene {
+export function resolveScene(
+  scene: Scene,
+  aspect = 1,
+  camera?: ResolvedCamera,
+  images?: EnvironmentImages,
+): ResolvedScene {
   const materials = new MaterialTable(scene);
   const flat = flatScene(scene);
   const given = flat.objects.map(({ shape, object, path, cells }) => ({
@@ -62,7 +74,7 @@ export function resolveScene(scene: Scene, aspect = 1, camera?: ResolvedCamera):
   const unlit = flat.lights.length === 0 && !scene.environment && !materials.list.some(isEmissive);
   const lights = unlit ? [studio.key] : flat.lights;
   const objects = [...given, ...ballsOf(lights, materials)].sort((a, b) => orderOf(a.shape) - orderOf(b.shape));
-  const environment = unlit ? studio.environment : environmentOf(scene);
+  const environment = unlit ? studio.environment : environmentOf(scene, images);
   const view = camera ?? frameObjects(scene, aspect);
   return {
     camera: view,
@@ -115,9 +127,13 @@ function objectsAround(
   return inside.sort((a, b) => size(a) - size(b));
 }
 
-function environmentOf({ environment }: Scene): ResolvedEnvironment | undefined {
+function environmentOf({ environment }: Scene, images?: EnvironmentImages): ResolvedEnvironment | undefined {
   if (!environment) return undefined;
-  const { color = [1, 1, 1], top, bottom, intensity } = environment;
+  const { src, color = [1, 1, 1], top, bottom, intensity, rotation } = environment;
+  if (src) {
+    const image = images?.get(src);
+    return image && { kind: 'image', image, intensity, rotation };
+  }
   return {
     kind: top ? 'gradient' : 'constant',
     top: scale(top ?? color, intensity),

@@ -31,6 +31,9 @@ export interface SceneNeeds {
 export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
   const { bounces, integrator, output } = tracing;
   const paths = followsPaths(scene, tracing) ? pathParts().needs(scene) : undefined;
+  const { environment, background } = scene;
+  const isImage = environment?.kind === 'image';
+  const isShown = background === 'environment';
   const facts: { readonly [F in Feature]?: boolean } = {
     inside: scene.objects.some(
       ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
@@ -38,12 +41,14 @@ export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
     wideRange: hasWideRange(scene),
     tiltedPlane: planesOf(scene).some((plane) => Math.abs(planeAxes(plane).normal[1]) !== 1),
     turnedChecker: planesOf(scene).some((plane) => !isAlongAxes(plane)),
-    environment: !!scene.environment,
-    gradient: scene.environment?.kind === 'gradient',
-    backgroundEnvironment: scene.background === 'environment' && !!scene.environment,
+    environment: !!environment && !isImage,
+    gradient: environment?.kind === 'gradient',
+    backgroundEnvironment: isShown && !!environment && !isImage,
+    // On top of black.
+    backgroundImage: isShown && isImage,
     path: !!paths,
     whitted: !!paths && integrator === 'direct',
-    backgroundColor: typeof scene.background !== 'string' || (scene.background === 'environment' && !scene.environment),
+    backgroundColor: typeof background !== 'string' || (isShown && (!environment || isImage)),
   };
   const present = [
     ...nodeFeatures(scene),
@@ -66,7 +71,8 @@ export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
 /** What serves both. Of what is behind the objects there is but one: that of the second. */
 export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
   const changed = (feature: Feature): boolean => a.features.has(feature) !== b.features.has(feature);
-  if (changed('path') || changed('whitted')) return b;
+  // A shader that reads an image needs one.
+  if ((['path', 'whitted', 'imageEmitter'] as const).some(changed)) return b;
   const stays = [...a.features].filter((feature) => !feature.startsWith('background') && !views.includes(feature));
   return {
     bounces: b.bounces,
@@ -92,10 +98,11 @@ export const isSurfaceOutput = (output?: string): boolean => views.includes(`${o
 export const followsPaths = (scene: ResolvedScene, { integrator, output }: Partial<Tracing>): boolean =>
   integrator === 'path' || isSurfaceOutput(output) || !isPlain(scene);
 
-function isPlain({ camera, lights: nodes, materials }: ResolvedScene): boolean {
+function isPlain({ camera, environment, lights: nodes, materials }: ResolvedScene): boolean {
   return (
     camera.type !== 'orthographic' &&
     !camera.aperture &&
+    environment?.kind !== 'image' &&
     nodes.every((light) =>
       light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius,
     ) &&

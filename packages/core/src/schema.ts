@@ -97,7 +97,9 @@ export const environment = {
     color: color('Radiance, the same from everywhere.', { light: true }),
     top: color('Radiance from straight above (+y); with bottom, a gradient linear in the height.', { light: true }),
     bottom: color('Radiance from straight below.', { light: true }),
+    src: name('Address of an equirectangular .hdr image, in place of colours; oriented as in three.js.', 'an address'),
     intensity: number('Factor on the radiance.', { default: 1, min: 0 }),
+    rotation: number('Turns an image about +y, counterclockwise from above, in degrees.', { default: 0 }),
   },
 } satisfies NodeTable;
 

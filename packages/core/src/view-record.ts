@@ -69,7 +69,8 @@ export function packSurroundings(
   { background, environment }: ResolvedScene,
   around: readonly number[],
 ): RecordValues<typeof surroundingsRecord> {
-  const { top, bottom } = environment ?? { top: BLACK, bottom: BLACK };
+  // An image is among the emitters.
+  const { top, bottom } = environment && environment.kind !== 'image' ? environment : { top: BLACK, bottom: BLACK };
   return {
     background: typeof background === 'string' ? BLACK : background,
     mean: times(add(top, bottom), 0.5),

@@ -1,5 +1,12 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
-import { isSurfaceOutput, loadShapes, type RenderSettings, type ResolvedCamera, type Scene } from '@ray-scene/core';
+import {
+  type EnvironmentImages,
+  isSurfaceOutput,
+  loadShapes,
+  type RenderSettings,
+  type ResolvedCamera,
+  type Scene,
+} from '@ray-scene/core';
 import type { Accumulation } from './accumulation.ts';
 import { Display } from './display.ts';
 import type { NoiseWatch } from './noise-watch.ts';
@@ -89,15 +96,18 @@ export class Renderer {
     device.add(this.#listener);
   }
 
-  /** The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there. */
-  setScene(scene: Scene): void {
+  /**
+   * The scene to draw; one with shapes that the page has not loaded yet takes its place when they are there.
+   * @param images of its surroundings.
+   */
+  setScene(scene: Scene, images?: EnvironmentImages): void {
     this.#next = scene;
     const loading = loadShapes(scene);
-    if (!loading) this.#show(scene);
+    if (!loading) this.#show(scene, images);
     loading?.then(
       () => {
         if (this.#next !== scene) return;
-        this.#show(scene);
+        this.#show(scene, images);
         this.onrestored();
       },
       (error: Error) => this.onerror(error),
@@ -192,9 +202,9 @@ export class Renderer {
     this.#release();
   }
 
-  #show(scene: Scene): void {
+  #show(scene: Scene, images: EnvironmentImages | undefined): void {
     this.#hasScene = true;
-    this.#view.scene = scene;
+    this.#view.setScene(scene, images);
   }
 
   #isDrawable(): boolean {

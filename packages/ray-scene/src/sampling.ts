@@ -2,6 +2,7 @@
 import { cameraFrame, loadPaths, loadShaderParts, pixelSample, requirementsKey } from '@ray-scene/core';
 import { Accumulation } from './accumulation.ts';
 import { CELL_PIXELS } from './cells.ts';
+import type { EnvironmentTextures } from './environment-textures.ts';
 import { Pace } from './pace.ts';
 import type { RenderDevice } from './render-device.ts';
 import { Tracer } from './tracer.ts';
@@ -25,6 +26,8 @@ export class Sampling {
   #preview: Accumulation | undefined;
   /** How often the pixels of a preview are halved. */
   #halvings = 0;
+  /** What puts images on the GPU, once a scene has one. */
+  #Textures: typeof EnvironmentTextures | undefined;
   /** Which revision of the view the samples are of. */
   #drawn = -1;
   /** When the present program began to be compiled, as long as nobody knows that it is. */
@@ -44,7 +47,11 @@ export class Sampling {
   loadParts(): Promise<unknown> | undefined {
     if (this.accumulation) return undefined;
     const { resolved, settings } = this.#view;
-    return loadPaths(resolved, settings) ?? loadShaderParts(this.#view.required, this.#device.shaderOptions);
+    return (
+      loadPaths(resolved, settings) ??
+      loadShaderParts(this.#view.required, this.#device.shaderOptions) ??
+      (resolved.environment?.kind === 'image' && !this.#Textures ? this.#loadTextures() : undefined)
+    );
   }
 
   /**
@@ -58,7 +65,7 @@ export class Sampling {
     tracer.compile();
     if (this.#compilingSince !== undefined) this.compileMs += performance.now() - this.#compilingSince;
     this.#compilingSince = undefined;
-    tracer.setScene(this.#view.resolved);
+    tracer.setScene(this.#view.resolved, this.#Textures);
     const { width, height, revision } = this.#view;
     this.#accumulation = this.#fitted(this.#accumulation, width, height);
     this.#accumulation.clear();
@@ -117,6 +124,10 @@ export class Sampling {
   forget(): void {
     this.#tracer = this.#accumulation = this.#preview = undefined;
     this.#drawn = -1;
+  }
+
+  async #loadTextures(): Promise<void> {
+    this.#Textures = (await import('./environment-textures.ts')).EnvironmentTextures;
   }
 
   #addTile(accumulation: Accumulation, room: number): number {

@@ -12,6 +12,7 @@ import {
   type SampleNumber,
   type ShaderOptions,
 } from '@ray-scene/core';
+import type { EnvironmentTextures } from './environment-textures.ts';
 import { blockBindings, type Program } from './program.ts';
 import type { ProgramCache } from './program-cache.ts';
 
@@ -23,6 +24,7 @@ export class Tracer {
   readonly #program: Program;
   readonly #scene: UniformBlock;
   readonly #view: UniformBlock;
+  #textures: EnvironmentTextures | undefined;
   #frame = { scale: 1 };
 
   /** @throws {Error} when the scene has more in it than the GPU takes. */
@@ -47,10 +49,14 @@ export class Tracer {
     this.#program.use();
   }
 
-  /** Takes the numbers of a scene, seen from its camera. It must require no more than this tracer has. */
-  setScene(scene: ResolvedScene): void {
+  /**
+   * Takes the numbers of a scene, seen from its camera. It must require no more than this tracer has.
+   * @param Textures needed where the surroundings are an image.
+   */
+  setScene(scene: ResolvedScene, Textures?: typeof EnvironmentTextures): void {
     this.#frame = packingFrame(scene);
     this.#scene.write(packScene(scene, this.#required, this.#scene.layout));
+    this.#textures = Textures?.of(scene, this.#gl, this.#textures);
   }
 
   /** Draws one sample of every pixel into the bound framebuffer. */
@@ -59,6 +65,7 @@ export class Tracer {
     this.#view.write(packView(view, this.#view.layout, this.#frame, sample));
     this.#scene.bind();
     this.#view.bind();
+    this.#textures?.bind(this.#program);
     this.#gl.drawArrays(this.#gl.TRIANGLES, 0, 3);
   }
 
@@ -66,6 +73,7 @@ export class Tracer {
     this.#programs.release(this.key, this.#program);
     this.#scene.dispose();
     this.#view.dispose();
+    this.#textures?.dispose();
   }
 }
 

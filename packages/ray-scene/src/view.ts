@@ -1,5 +1,6 @@
 /** What a view shows: which scene, from where, with which settings, how large. Knows no WebGL. */
 import {
+  type EnvironmentImages,
   frameObjects,
   isSurfaceOutput,
   mergeRequirements,
@@ -17,6 +18,7 @@ import {
 
 export class View {
   #scene: Scene = parseScene({});
+  #images: EnvironmentImages | undefined;
   #settings = parseSettings();
   #width = 1;
   #height = 1;
@@ -50,7 +52,7 @@ export class View {
   }
 
   get resolved(): ResolvedScene {
-    this.#resolved ??= resolveScene(this.#scene, this.#width / this.#height, this.camera);
+    this.#resolved ??= resolveScene(this.#scene, this.#width / this.#height, this.camera, this.#images);
     return this.#resolved;
   }
 
@@ -66,9 +68,11 @@ export class View {
     return requirementsKey(this.#ownRequirements());
   }
 
-  set scene(scene: Scene) {
+  /** @param images of its surroundings. */
+  setScene(scene: Scene, images?: EnvironmentImages): void {
     if (objectSet(scene.objects) !== objectSet(this.#scene.objects)) this.#framed = scene.objects;
     this.#scene = scene;
+    this.#images = images;
     this.#restart();
   }
 

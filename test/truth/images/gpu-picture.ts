@@ -1,12 +1,19 @@
 /** What `npm run truth` does in a page for pictures: the renderer that draws for the element, sample by sample. */
 import '@ray-scene/core/parts';
-import { parseScene, parseSettings } from '@ray-scene/core';
+import { type EnvironmentImage, parseScene, parseSettings } from '@ray-scene/core';
 import { Renderer } from '../../../packages/ray-scene/src/renderer.ts';
+
+export interface PackedImage extends Omit<EnvironmentImage, 'data'> {
+  readonly src: string;
+  readonly data: string;
+}
 
 /** What the GPU draws until the next one. */
 export interface GpuPicture {
   /** JSON text of the scene. */
   readonly scene: string;
+  /** By address; the numbers as base64 of their bytes. */
+  readonly images?: readonly PackedImage[];
   readonly bounces: number;
   readonly width: number;
   readonly height: number;
@@ -16,6 +23,11 @@ let renderer: Renderer | undefined;
 let bounces = 0;
 let samples = 0;
 let failure: Error | undefined;
+/** When what a picture waits for is there. */
+let loaded: Promise<void> | undefined;
+
+/** For so long it may wait. */
+const PATIENCE_MS = 10_000;
 
 export function showPicture(picture: GpuPicture): void {
   renderer?.dispose();
@@ -25,9 +37,25 @@ export function showPicture(picture: GpuPicture): void {
   renderer.onerror = (error) => {
     failure = error;
   };
-  renderer.setScene(parseScene(picture.scene));
+  const { promise, resolve } = withTimeout();
+  loaded = promise;
+  renderer.onrestored = resolve;
+  const images = picture.images?.map(({ src, data, ...size }) => [src, { ...size, data: unpacked(data) }] as const);
+  renderer.setScene(parseScene(picture.scene), new Map(images));
   renderer.resize(picture.width, picture.height);
 }
+
+function withTimeout(): { readonly promise: Promise<void>; readonly resolve: () => void } {
+  let resolve = (): void => {};
+  const promise = new Promise<void>((done) => {
+    resolve = done;
+    setTimeout(done, PATIENCE_MS);
+  });
+  return { promise, resolve };
+}
+
+const unpacked = (text: string): Float32Array =>
+  new Float32Array(Uint8Array.from(atob(text), (character) => character.charCodeAt(0)).buffer);
 
 /** Begins a picture with other random numbers. */
 export function beginSamples(settings: { readonly seed: number; readonly samples: number }): void {
@@ -41,7 +69,12 @@ export async function drawSamples(milliseconds: number): Promise<boolean> {
   while (performance.now() < end) {
     const wantsMore = renderer?.draw(50);
     if (failure) throw failure;
-    if (!wantsMore && renderer?.samples !== samples) throw new Error('the GPU gave up');
+    if (!wantsMore && renderer?.samples !== samples) {
+      if (!loaded) throw new Error('the GPU gave up');
+      await loaded;
+      loaded = undefined;
+      continue;
+    }
     if (!wantsMore) return true;
     // How long the GPU takes is learnt between tasks.
     await new Promise((resolve) => setTimeout(resolve));

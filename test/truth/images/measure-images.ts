@@ -2,13 +2,14 @@
 import { mkdirSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { parseScene, SceneError } from '@ray-scene/core';
+import { type EnvironmentImages, parseScene, SceneError } from '@ray-scene/core';
 import type { Gpu } from '../gpu-side.ts';
 import { differencePicture } from './difference-picture.ts';
 import { type Estimate, estimate, inTurns, type RenderBatch } from './estimate.ts';
 import { type ImageTruth, readImageTruth } from './image-truth.ts';
 import { errorRatio, type ImageRow, type ImageSide, imageRow, moreSamples, skippedRow } from './judge-image.ts';
 import { ReferencePool } from './reference-pool.ts';
+import { environmentImages } from './translate-environment.ts';
 import { type TranslatedScene, translateScene } from './translate-scene.ts';
 
 export interface ImageOptions {
@@ -35,12 +36,16 @@ export async function measureImages(options: ImageOptions): Promise<readonly Ima
   try {
     for (const name of names) {
       const truth = await imageTruth(join(options.data, name));
+      const images = await environmentImages(truth.scene, (file) => bytesOf(join(options.data, file)));
       const translated = translateScene(truth.scene);
       if (pool) {
-        rows.push(await measureImage('reference', truth, translated, options, (scene) => onPool(pool, scene, truth)));
+        rows.push(
+          await measureImage('reference', truth, translated, options, (scene) => onPool(pool, scene, truth, images)),
+        );
       }
       const { gpu } = options;
-      if (gpu) rows.push(await measureImage('gpu', truth, translated, options, (scene) => onGpu(gpu, scene, truth)));
+      if (gpu)
+        rows.push(await measureImage('gpu', truth, translated, options, (scene) => onGpu(gpu, scene, truth, images)));
     }
   } finally {
     await pool?.close();
@@ -56,8 +61,9 @@ function sceneNames({ data, scene }: ImageOptions): readonly string[] {
   return scene === undefined ? names.sort() : [scene];
 }
 
-const imageTruth = (folder: string): Promise<ImageTruth> =>
-  readImageTruth(async (name) => new Uint8Array(await readFile(join(folder, name))).buffer);
+const imageTruth = (folder: string): Promise<ImageTruth> => readImageTruth((name) => bytesOf(join(folder, name)));
+
+const bytesOf = async (file: string): Promise<ArrayBuffer> => new Uint8Array(await readFile(file)).buffer;
 
 async function measureImage(
   side: ImageSide,
@@ -85,13 +91,26 @@ async function measureImage(
   }
 }
 
-const onPool = async (pool: ReferencePool, { scene, bounces }: Renderable, truth: ImageTruth): Promise<RenderBatch> => {
+const onPool = async (
+  pool: ReferencePool,
+  { scene, bounces }: Renderable,
+  truth: ImageTruth,
+  images: EnvironmentImages,
+): Promise<RenderBatch> => {
   const { width, height } = truth;
-  return (seed, samples) => pool.render({ scene, bounces, width, height, seed, samples });
+  return (seed, samples) => pool.render({ scene, images, bounces, width, height, seed, samples });
 };
 
-async function onGpu(gpu: Gpu, { scene, bounces }: Renderable, { width, height }: ImageTruth): Promise<RenderBatch> {
-  await gpu.show({ scene: JSON.stringify(scene), bounces, width, height });
+async function onGpu(
+  gpu: Gpu,
+  { scene, bounces }: Renderable,
+  { width, height }: ImageTruth,
+  images: EnvironmentImages,
+): Promise<RenderBatch> {
+  const packed = [...images].map(([src, { data, ...size }]) => {
+    return { src, ...size, data: Buffer.from(data.buffer).toString('base64') };
+  });
+  await gpu.show({ scene: JSON.stringify(scene), images: packed, bounces, width, height });
   return inTurns((seed, samples) => gpu.samples(seed, samples));
 }
 

@@ -1,10 +1,11 @@
 /** One picture of the f64 reference. */
-import { parseScene } from '@ray-scene/core';
+import { type EnvironmentImages, parseScene } from '@ray-scene/core';
 import { renderReference } from '@ray-scene/core/reference';
 
 export interface ReferenceJob {
   /** What `parseScene` takes. */
   readonly scene: object;
+  readonly images?: EnvironmentImages;
   readonly bounces: number;
   readonly width: number;
   readonly height: number;

@@ -1,6 +1,7 @@
 /** From the neutral description of a scene to ours: the other renderer's conventions end here. */
 import type { Vec3 } from '@ray-scene/core';
 import type { NeutralCamera, NeutralEnvironment, NeutralLight, NeutralScene } from './neutral-scene.ts';
+import { ENVIRONMENT_ROTATION } from './translate-environment.ts';
 import { materialOf } from './translate-material.ts';
 import { shapeOf, turned } from './translate-shape.ts';
 import { given, Untranslatable } from './untranslatable.ts';
@@ -79,6 +80,10 @@ function lightOf(light: NeutralLight): object {
 
 function environmentOf(environment: NeutralEnvironment | null): object {
   if (!environment) return { background: [0, 0, 0] satisfies Vec3 };
+  if (environment.type === 'envmap') {
+    const { file: src } = given(environment, 'file', 'width', 'height');
+    return { environment: { src, rotation: ENVIRONMENT_ROTATION }, background: 'environment' };
+  }
   if (environment.type !== 'constant') throw new Untranslatable(`environments of the type ${environment.type}`);
   return { environment: { color: given(environment, 'radiance').radiance }, background: 'environment' };
 }

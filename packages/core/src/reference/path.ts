@@ -4,7 +4,7 @@ import { ROULETTE_FROM } from '../path-needs.ts';
 import { type Sampler, sample2d } from '../random.ts';
 import { add, addScaled, dot, multiply, negate, scale, type Vec3 } from '../vector.ts';
 import { background, type Rgba } from './background.ts';
-import { type EmitterSample, emitterPdf, sampleEmitter } from './light/emitters.ts';
+import { type EmitterSample, emitterPdf, emitterRadiance, sampleEmitter } from './light/emitters.ts';
 import { environmentRadiance } from './light/environment.ts';
 import { lightBy, powerHeuristic } from './light-by.ts';
 import { type Bsdf, type BsdfSample, bsdfSample, isMirrorOnly } from './material/bsdf.ts';
@@ -38,7 +38,7 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
   for (let event = 0; ; event++) {
     const hit = nearest(scene, ray);
     if (!hit) {
-      if (event === 0) return background(scene, ray.direction);
+      if (event === 0) return backdrop(scene, ray.direction);
       return [...add(radiance, multiply(throughput, escaped(scene, ray.direction, scattered))), 1];
     }
     throughput = multiply(throughput, transmittance(scene, media, hit.t));
@@ -115,12 +115,22 @@ function emissionWeight(
   return powerHeuristic(scene, pdf, emitterPdf(scene, emitter, from, ray.direction, t, vertex.cosine, object));
 }
 
+/** What a camera ray shows that meets nothing; an image, on top of black. */
+function backdrop(scene: PathScene, direction: Vec3): Rgba {
+  const [r, g, b, alpha] = background(scene, direction);
+  const image = scene.background === 'environment' && scene.emitters.find(({ kind }) => kind === 'image');
+  return image ? [...add([r, g, b], emitterRadiance(image, direction)), alpha] : [r, g, b, alpha];
+}
+
 /** What comes from infinitely far away: the surroundings, and the suns that the direction points into. */
 function escaped(scene: PathScene, direction: Vec3, { from, pdf }: Scattered): Vec3 {
   const surroundings: Vec3 = scene.environment ? environmentRadiance(scene.environment, direction) : [0, 0, 0];
   return scene.emitters.reduce((sum, emitter, i): Vec3 => {
-    if (emitter.kind !== 'sun') return sum;
+    if (emitter.kind !== 'sun' && emitter.kind !== 'image') return sum;
     const asked = emitterPdf(scene, i, from, direction, Number.POSITIVE_INFINITY, 1);
-    return asked > 0 ? addScaled(sum, emitter.radiance, pdf === 0 ? 1 : powerHeuristic(scene, pdf, asked)) : sum;
+    // A sun is where it is found, an image everywhere.
+    if (emitter.kind === 'sun' && !(asked > 0)) return sum;
+    const weight = pdf === 0 ? 1 : powerHeuristic(scene, pdf, asked);
+    return addScaled(sum, emitterRadiance(emitter, direction), weight);
   }, surroundings);
 }

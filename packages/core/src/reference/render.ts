@@ -1,7 +1,7 @@
 /** The reference renderer: the same rays and the same random numbers as the shader, in f64. */
 import { type CameraFrame, cameraFrame, cameraRay } from '../camera-frame.ts';
 import { pixelSample, pixelSampler, type Sampler, sample2d } from '../random.ts';
-import { resolveScene } from '../resolve-scene.ts';
+import { type EnvironmentImages, resolveScene } from '../resolve-scene.ts';
 import { followsPaths, isSurfaceOutput } from '../scene-needs.ts';
 import type { Scene } from '../schema.ts';
 import { parseSettings, type RenderSettings } from '../settings.ts';
@@ -17,6 +17,8 @@ export interface ReferenceSettings extends Partial<RenderSettings> {
   /** In pixels. */
   readonly width: number;
   readonly height: number;
+  /** Of the surroundings, by their addresses in the scene. */
+  readonly images?: EnvironmentImages;
   /** Moves each component of every camera ray's unit direction by so many ulps of f32. */
   readonly nudge?: Vec3;
 }
@@ -33,9 +35,9 @@ export interface ReferenceImage {
  * @throws {SceneError} when a setting is unknown or out of its range.
  */
 export function renderReference(scene: Scene, settings: ReferenceSettings): ReferenceImage {
-  const { width, height, nudge = [0, 0, 0], ...rest } = settings;
+  const { width, height, images, nudge = [0, 0, 0], ...rest } = settings;
   const { samples, seed, bounces, integrator, output } = parseSettings(rest);
-  const resolved = resolveScene(scene, width / height);
+  const resolved = resolveScene(scene, width / height, undefined, images);
   const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator) : undefined;
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
