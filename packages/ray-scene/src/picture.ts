@@ -5,6 +5,8 @@ import { Renderer, type RenderStats, type StopReason } from './renderer.ts';
 export interface Progress {
   readonly samples: number;
   readonly added: boolean;
+  /** Whether the picture is of the scene as it is now, be it by a preview. */
+  readonly shown: boolean;
   /** Whether it wants another turn: more samples, or a last look at how noisy they are. */
   readonly more: boolean;
   /** What has ended the picture. */
@@ -55,8 +57,8 @@ export class Picture {
     this.#renderer.setCamera(camera);
     const before = this.#renderer.samples;
     const more = this.#renderer.draw(budgetMs) || this.#renderer.isMeasuring;
-    const { samples, stopped, stats } = this.#renderer;
-    return { samples, added: samples !== before, more, stopped, error: stats.error };
+    const { samples, isShown: shown, stopped, stats } = this.#renderer;
+    return { samples, added: samples !== before, shown, more, stopped, error: stats.error };
   }
 
   readRadiance(): Float32Array {

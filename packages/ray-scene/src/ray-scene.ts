@@ -293,7 +293,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const turns = !paused && this.#orbit.turn(seconds);
     const progress = picture.draw(this.#orbit.override, paused ? 0 : settings.frameBudget / sharers);
     // The program is being compiled, the context is lost, or the scene cannot be drawn.
-    if (progress.samples === 0) return progress.more;
+    if (progress.samples === 0 && !progress.shown) return progress.more;
     if (this.#failure) {
       this.#failure = undefined;
       this.#tell();

@@ -25,6 +25,11 @@ export type { StopReason } from './stop-rules.ts';
 const LONGEST_PAUSE_MS = 1000;
 
 export interface RenderStats {
+  /** Whether the canvas shows the view as it is now, be it by a preview. */
+  get isShown(): boolean {
+    return this.#shown === this.#view.revision;
+  }
+
   /** Samples that each pixel has, at least. */
   readonly samples: number;
   /**
@@ -75,6 +80,8 @@ export class Renderer {
   #display: Display | undefined;
   /** Which revision of the view the time, the end and the picture are of. */
   #begun = -1;
+  /** Which revision of the view the canvas shows. */
+  #shown = -1;
   #presented = false;
   #stopped: StopReason | undefined;
   #milliseconds = 0;
@@ -307,6 +314,7 @@ export class Renderer {
   }
 
   #present(accumulation: Accumulation): void {
+    this.#shown = this.#view.revision;
     const { exposure, toneMapping, output } = this.#view.settings;
     const { width, height } = accumulation;
     // What surfaces are like is no light.
