@@ -25,11 +25,6 @@ export type { StopReason } from './stop-rules.ts';
 const LONGEST_PAUSE_MS = 1000;
 
 export interface RenderStats {
-  /** Whether the canvas shows the view as it is now, be it by a preview. */
-  get isShown(): boolean {
-    return this.#shown === this.#view.revision;
-  }
-
   /** Samples that each pixel has, at least. */
   readonly samples: number;
   /**
@@ -159,6 +154,11 @@ export class Renderer {
       if (!this.#device.gl.isContextLost()) this.#fail(error as Error);
       return false;
     }
+  }
+
+  /** Whether the canvas shows the view as it is now, be it by a preview. */
+  get isShown(): boolean {
+    return this.#shown === this.#view.revision;
   }
 
   /** Samples that each pixel of the present scene has. */
