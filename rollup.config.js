@@ -155,7 +155,7 @@ function oneFile(folder, name, input, others = '') {
     output: { dir: `${folder}/dist`, chunkFileNames: `${name}.[name].js`, banner: licences(folder, others) },
     onLog,
     plugins: [
-      nodeResolve({ exportConditions: ['source', 'production'], browser: true }),
+      nodeResolve({ exportConditions: ['on-demand', 'source', 'production'], browser: true }),
       withoutDocs,
       shortColorNames,
       shortStyles,

@@ -1,12 +1,23 @@
 /**
- * Colours as authors write them, to linear Rec. 709 (the primaries of sRGB), which is what light is computed in. The
- * names come from culori; its parser would be the largest thing that a page loads, and what is wanted of it is this.
- * Source: CSS Color Module Level 4; oklch: B. Ottosson, "A perceptual color space for image processing" (2020).
+ * Colours as authors write them, to linear Rec. 709 (the primaries of sRGB), which is what light is computed in. Those
+ * that no table of names and no other space is needed for; the rest comes with `css-colors.ts`.
+ * Source: CSS Color Module Level 4.
  */
-import { colorsNamed } from 'culori/fn';
 import type { Vec3 } from './vector.ts';
 
-export const colorNames: readonly string[] = Object.keys(colorsNamed);
+/** A space that colours are given in: what 100 % of each number is, and the way to linear Rec. 709. */
+export interface ColorSpace {
+  readonly full: Vec3;
+  readonly convert: (color: Vec3) => Vec3;
+}
+
+/** Colours of CSS, or more of them. */
+export interface ColorWords {
+  /** By name, what stands after `#` in the hexadecimal notation. */
+  readonly names: ReadonlyMap<string, string>;
+  /** By the name of the function, which for `color()` is followed by that of the space. */
+  readonly spaces: ReadonlyMap<string, ColorSpace>;
+}
 
 /** How far outside [0, 1] rounding may carry a colour that is meant to lie on the border of the gamut. */
 const GAMUT_ROUNDING = 2 ** -13;
@@ -17,8 +28,8 @@ const GAMUT_ROUNDING = 2 ** -13;
  */
 export function readColor(text: string): Vec3 | string | undefined {
   const color = text.trim().toLowerCase();
-  const named: number | undefined = Object.hasOwn(colorsNamed, color) ? colorsNamed[color as 'red'] : undefined;
-  const read = named === undefined ? (readHex(color) ?? readFunction(color)) : readHex(`#${hex6(named)}`);
+  const named = words.names.get(color);
+  const read = readHex(named ? `#${named}` : color) ?? readFunction(color);
   if (!read) return undefined;
   if (read.alpha !== 1) return 'has an alpha; use the opaque colour';
   if (read.linear.some((channel) => !(channel >= -GAMUT_ROUNDING && channel <= 1 + GAMUT_ROUNDING))) {
@@ -33,8 +44,6 @@ interface Read {
   readonly alpha: number;
 }
 
-const hex6 = (rgb: number): string => rgb.toString(16).padStart(6, '0');
-
 /** `#rgb`, `#rgba`, `#rrggbb` or `#rrggbbaa`. */
 function readHex(text: string): Read | undefined {
   const digits = /^#([\da-f]{3,4}|[\da-f]{6}|[\da-f]{8})$/.exec(text)?.[1];
@@ -44,28 +53,44 @@ function readHex(text: string): Read | undefined {
   return { linear: fromSrgb([r as number, g as number, b as number]), alpha: alpha as number };
 }
 
-const mapped = (color: Vec3, f: (channel: number) => number): Vec3 => [f(color[0]), f(color[1]), f(color[2])];
+export const mapped = (color: Vec3, f: (channel: number) => number): Vec3 => [f(color[0]), f(color[1]), f(color[2])];
 
 /** Decodes the transfer function of sRGB. */
-const fromSrgb = (color: Vec3): Vec3 => mapped(color, (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+export const fromSrgb = (color: Vec3): Vec3 =>
+  mapped(color, (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
 
-/** For each function: what 100 % of each number is, and the way to linear Rec. 709. */
-const spaces: { readonly [name: string]: { readonly full: Vec3; readonly convert: (color: Vec3) => Vec3 } } = {
-  rgb: { full: [255, 255, 255], convert: ([r, g, b]) => fromSrgb([r / 255, g / 255, b / 255]) },
-  hsl: { full: [360, 100, 100], convert: fromHsl },
-  oklch: { full: [1, 0.4, 360], convert: fromOklch },
-  srgb: { full: [1, 1, 1], convert: fromSrgb },
-  'srgb-linear': { full: [1, 1, 1], convert: (color) => color },
+let words: ColorWords = {
+  names: new Map([
+    ['black', '000'],
+    ['white', 'fff'],
+  ]),
+  spaces: new Map([
+    ['rgb', { full: [255, 255, 255], convert: (color) => fromSrgb(mapped(color, (c) => c / 255)) }],
+    ['color srgb', { full: [1, 1, 1], convert: fromSrgb }],
+    ['color srgb-linear', { full: [1, 1, 1], convert: (color) => color }],
+  ]),
 };
+let hasAll = false;
+
+/** Makes the other colours known. */
+export function registerColors({ names, spaces }: ColorWords): void {
+  words = { names, spaces: new Map([...words.spaces, ...spaces]) };
+  hasAll = true;
+}
+
+/** Whether all colours of CSS are known. */
+export const knowsAllColors = (): boolean => hasAll;
+
+export const colorNames = (): readonly string[] => [...words.names.keys()];
 
 /** `rgb(1 2 3 / 0.5)`, the same with commas, or `color(srgb 0.1 0.2 0.3)`. */
 function readFunction(text: string): Read | undefined {
-  const [, name, inside = ''] = /^(rgb|hsl|oklch|color)a?\(([^()]*)\)$/.exec(text) ?? [];
+  const [, name, inside = ''] = /^([a-z]+?)a?\(([^()]*)\)$/.exec(text) ?? [];
   if (!name) return undefined;
-  const words = inside.trim().split(/\s*[,/]\s*|\s+/);
-  const space = spaces[name === 'color' ? (words.shift() as string) : name];
-  if (!space || words.length < 3 || words.length > 4) return undefined;
-  const numbers = words.map((word, i) => readNumber(word, space.full[i] ?? 1));
+  const parts = inside.trim().split(/\s*[,/]\s*|\s+/);
+  const space = words.spaces.get(name === 'color' ? `color ${parts.shift()}` : name);
+  if (!space || parts.length < 3 || parts.length > 4) return undefined;
+  const numbers = parts.map((word, i) => readNumber(word, space.full[i] ?? 1));
   if (numbers.some((number) => Number.isNaN(number))) return undefined;
   const [x, y, z, alpha = 1] = numbers as [number, number, number];
   return { linear: space.convert([x, y, z]), alpha };
@@ -78,28 +103,4 @@ function readNumber(word: string, full: number): number {
   if (word === 'none') return 0;
   const [, digits, unit = ''] = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)(%|deg|grad|rad|turn)?$/.exec(word) ?? [];
   return Number(digits) * (unit === '%' ? full / 100 : (UNITS[unit] as number));
-}
-
-function fromHsl([hue, saturation, lightness]: Vec3): Vec3 {
-  const [s, l] = [saturation / 100, lightness / 100];
-  const chroma = s * Math.min(l, 1 - l);
-  return fromSrgb(
-    mapped([0, 8, 4], (n) => {
-      const k = (((n + hue / 30) % 12) + 12) % 12;
-      return l - chroma * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-    }),
-  );
-}
-
-function fromOklch([lightness, chroma, hue]: Vec3): Vec3 {
-  const a = chroma * Math.cos((hue * Math.PI) / 180);
-  const b = chroma * Math.sin((hue * Math.PI) / 180);
-  const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
-  const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
-  const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
-  return [
-    4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
-    -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-    -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
-  ];
 }

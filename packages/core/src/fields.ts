@@ -209,7 +209,7 @@ export function color<D extends Vec3 | undefined = undefined>(
       }
       const rgb = typeof value === 'string' ? readColor(value) : undefined;
       if (typeof rgb === 'string') return new Mismatch(expected, `, which ${rgb}`);
-      return rgb ? Object.freeze(rgb) : new Mismatch(expected, suggestion(value, colorNames));
+      return rgb ? Object.freeze(rgb) : new Mismatch(expected, suggestion(value, colorNames()));
     },
     limits: { max: options.light ? undefined : 1 },
   });

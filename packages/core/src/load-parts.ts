@@ -1,3 +1,4 @@
+import { knowsAllColors } from './color.ts';
 import type { Feature } from './features.ts';
 import type { ShaderOptions } from './generate-shader.ts';
 import { loadedParts, loadedPaths } from './parts.ts';
@@ -16,6 +17,10 @@ const MORE_FEATURES: ReadonlySet<Feature> = new Set([
   'wideRange',
   'indexed',
 ]);
+
+/** Loads the colours of CSS, without which a scene may be refused that has nothing wrong; undefined: they are there. */
+export const loadColors = (): Promise<unknown> | undefined =>
+  knowsAllColors() ? undefined : import('./css-colors.ts');
 
 /**
  * Loads the shapes of a scene, which can be resolved, packed and traced only after that; undefined: they are all there, as

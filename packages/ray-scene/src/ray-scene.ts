@@ -1,5 +1,5 @@
 import type { PropertyDeclarations, PropertyValues } from '@lit/reactive-element';
-import { frameObjects, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
+import { frameObjects, loadColors, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
@@ -246,6 +246,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const own = judge('attributes', { background: this.background ?? undefined }, words);
     this.#ownProblems = [...this.attributeProblems, ...own.problems];
     const { scene, origin, markup } = this.#reading ?? {};
+    if (this.#problems.length > 0 && this.#source.readAfter(loadColors())) return;
     if (scene && origin) {
       this.#markup = markup;
       this.#adopt(scene, origin, own.scene?.background);
@@ -268,8 +269,12 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     if (before?.name !== scene.name) this.requestUpdate();
   }
 
+  get #problems(): readonly Problem[] {
+    return [...this.#ownProblems, ...(this.#reading?.problems ?? [])];
+  }
+
   #tell(): void {
-    const problems = [...this.#ownProblems, ...(this.#reading?.problems ?? [])];
+    const problems = this.#problems;
     const error = this.#failure ?? (problems.length > 0 ? new SceneError(problems) : undefined);
     this.#report.tell(error);
     const shows = !this.#failure && (!this.#reading || this.#reading.scene);

@@ -26,6 +26,9 @@ export class SceneSource implements ReactiveController {
   #assigned: unknown;
   #download: Download | undefined;
   #stale = true;
+  /** What it takes to read the source rightly. */
+  #loading: Promise<unknown> | undefined;
+  #isBeyondHelp = false;
 
   constructor(host: SourceHost, changed: () => void) {
     this.#host = host;
@@ -35,7 +38,7 @@ export class SceneSource implements ReactiveController {
 
   /** Whether there is, or will be, something new to read. */
   get pending(): boolean {
-    return this.#stale || (this.#download !== undefined && !this.#download.result);
+    return this.#stale || this.#loading !== undefined || (this.#download !== undefined && !this.#download.result);
   }
 
   assign(scene: unknown): void {
@@ -47,6 +50,21 @@ export class SceneSource implements ReactiveController {
   touch(): void {
     this.#stale = true;
     this.#changed();
+  }
+
+  /** Reads all of it again when something is there that may make it right. Returns whether to wait for that. */
+  readAfter(loading: Promise<unknown> | undefined): boolean {
+    if (this.#isBeyondHelp) return false;
+    this.#loading ??= loading
+      ?.catch((error: Error) => {
+        this.#isBeyondHelp = true;
+        reportError(error);
+      })
+      .then(() => {
+        this.#loading = undefined;
+        this.touch();
+      });
+    return this.#loading !== undefined;
   }
 
   /** Takes note of edits that the browser has not told of yet. */
