@@ -44,11 +44,11 @@ const shortColorNames = {
   },
 };
 
-/** Indents and comments of the one style sheet. */
+/** Indents and comments of style sheets. */
 const shortStyles = {
   name: 'short-styles',
   transform(code, path) {
-    if (!path.endsWith('/styles.ts')) return undefined;
+    if (!/\/(?:styles|error-overlay)\.ts$/.test(path)) return undefined;
     const shorter = (css) => css.replace(/\/\*.*?\*\//gs, '').replace(/\s*\n\s*|(?<=:) /g, '');
     return { code: code.replace(/`[^`]*`/g, shorter), map: null };
   },

@@ -1,36 +1,34 @@
 // Ray against sphere without cancellation, for unit directions and points relative to the camera, all in f32.
 // Source: E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7 (2019): the
-// discriminant from the part of the centre perpendicular to the ray, or b² - power where an exact power tells more; the
-// roots without subtraction. There are no branches: a driver may run both sides of one anyway.
+// discriminant from the part of the centre perpendicular to the ray; the roots without subtraction. There are no branches:
+// a driver may run both sides of one anyway.
 
-#ifdef WIDE_RANGE
+#if defined(WIDE_RANGE)
 #include "shape/sphere-wide.glsl"
+#elif defined(CLOSE_SPHERE)
+#include "shape/sphere-close.glsl"
 #else
-// What all rays from a point share: the way to the centre, and the power |c|² - r² of the point. It is exact where it was
-// not worked out here, as a difference of squares in f32.
+// What all rays from a point share: the way to the centre, and the power |c|² - r² of the point.
 struct SphereFrom {
   vec3 c;
   float power;
-  bool exact;
 };
 
 SphereFrom sphereFrom(Sphere s, vec3 o) {
   vec3 c = s.center - o;
-  float power = dot(c, c) - s.radius2;
-  return SphereFrom(c, power, false);
+  return SphereFrom(c, dot(c, c) - s.radius2);
 }
 
-// From the camera, whose power was worked out in f64: next to a planet's surface, f32 would have none of it right.
+// From the camera, whose power was worked out in f64.
 SphereFrom sphereFromCamera(Sphere s) {
-  return SphereFrom(s.center, s.power, true);
+  return SphereFrom(s.center, s.power);
 }
 
 // How far along the ray the centre is nearest (x), and the square of half the chord that the ray cuts out (y).
 vec2 sphereChord(Sphere s, SphereFrom from, vec3 d) {
   float b = dot(from.c, d);
   vec3 aside = from.c - b * d;
-  float b2 = b * b;
-  return vec2(b, mix(s.radius2 - dot(aside, aside), b2 - from.power, from.exact && b2 < s.radius2));
+  return vec2(b, s.radius2 - dot(aside, aside));
 }
 #endif
 

@@ -3,12 +3,26 @@ import { readFileSync } from 'node:fs';
 import { suite, test } from 'node:test';
 // Not the package's index, whose reference tracer knows all shapes from the start.
 import { generateShader } from '../../packages/core/src/generate-shader.ts';
-import { loadShaderParts, loadShapes } from '../../packages/core/src/load-parts.ts';
+import { loadColors, loadShaderParts, loadShapes } from '../../packages/core/src/load-parts.ts';
 import { packScene } from '../../packages/core/src/pack-scene.ts';
 import { parseScene } from '../../packages/core/src/parse-scene.ts';
 import { requirements } from '../../packages/core/src/requirements.ts';
 import { resolveScene } from '../../packages/core/src/resolve-scene.ts';
+import { SceneError } from '../../packages/core/src/scene-error.ts';
 import type { Scene } from '../../packages/core/src/schema.ts';
+
+/** What is parsed of a colour before those of CSS are loaded. */
+const early = ['black', '#8c3', 'rgb(1 2 3)', 'color(srgb-linear 0 0.1 0)', 'crimson', 'oklch(0.7 0.1 200)'].map(
+  (color) => {
+    try {
+      return [color, parseScene({ background: color }).background] as const;
+    } catch (error) {
+      return [color, error] as const;
+    }
+  },
+);
+const loading = loadColors();
+await loading;
 
 const example = (name: string): Scene =>
   parseScene(readFileSync(new URL(`../../examples/scenes/${name}.json`, import.meta.url), 'utf8'));
@@ -33,6 +47,19 @@ const demanding = {
 };
 
 suite('what a page loads', () => {
+  test('colours that need no table are read at once, others when the colours of CSS are there', () => {
+    assert.ok(loading instanceof Promise);
+    assert.equal(loadColors(), undefined);
+    assert.deepEqual(
+      early.filter(([, read]) => read instanceof SceneError).map(([color]) => color),
+      ['crimson', 'oklch(0.7 0.1 200)'],
+    );
+    for (const [color, read] of early) {
+      const { background } = parseScene({ background: color });
+      if (!(read instanceof SceneError)) assert.deepEqual(read, background, color);
+    }
+  });
+
   for (const [name, scene] of Object.entries(simple)) {
     test(`${name} is drawn without another file`, () => {
       assert.equal(loadShapes(scene), undefined);

@@ -58,7 +58,16 @@ const switches: readonly [what: string, change: (scene: typeof base) => object, 
     ['environment', 'gradient', 'backgroundEnvironment'],
   ],
   ['a background', (s) => ({ ...s, background: 'red' }), ['backgroundColor']],
-  ['a camera inside a ball', (s) => ({ ...s, camera: { position: [0, 0, 0.5], target: [0, 0, -1] } }), ['inside']],
+  [
+    'a camera inside a ball',
+    (s) => ({ ...s, camera: { position: [0, 0, 0.5], target: [0, 0, -1] } }),
+    ['closeSphere', 'inside'],
+  ],
+  [
+    'a camera next to a ball',
+    (s) => ({ ...s, camera: { position: [0, 0, 1.4], target: [0, 0, -1] } }),
+    ['closeSphere'],
+  ],
 ];
 const base = scene;
 

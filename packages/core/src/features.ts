@@ -21,6 +21,7 @@ export const features = [
   'reflections',
   'shadows',
   'inside',
+  'closeSphere',
   // Rays pass through surfaces: they start on any side of what they meet.
   'through',
   // The integrator `path`, or what `direct` becomes where light is more than points and surfaces more than mirrors:

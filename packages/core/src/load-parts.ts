@@ -13,6 +13,7 @@ const MORE_FEATURES: ReadonlySet<Feature> = new Set([
   'tiltedPlane',
   'turnedChecker',
   'inside',
+  'closeSphere',
   'through',
   'wideRange',
   'indexed',

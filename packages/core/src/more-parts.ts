@@ -10,6 +10,7 @@ import planeThrough from '../../../shaders/shape/plane-through.glsl';
 import planeTilted from '../../../shaders/shape/plane-tilted.glsl';
 import quadGlsl from '../../../shaders/shape/quad.glsl';
 import sphereCells from '../../../shaders/shape/sphere-cells.glsl';
+import sphereClose from '../../../shaders/shape/sphere-close.glsl';
 import sphereInside from '../../../shaders/shape/sphere-inside.glsl';
 import sphereThrough from '../../../shaders/shape/sphere-through.glsl';
 import sphereWide from '../../../shaders/shape/sphere-wide.glsl';
@@ -58,6 +59,7 @@ registerParts({
     'shape/plane-tilted.glsl': planeTilted,
     'shape/quad.glsl': quadGlsl,
     'shape/sphere-cells.glsl': sphereCells,
+    'shape/sphere-close.glsl': sphereClose,
     'shape/sphere-inside.glsl': sphereInside,
     'shape/sphere-through.glsl': sphereThrough,
     'shape/sphere-wide.glsl': sphereWide,

@@ -20,22 +20,16 @@ const plain = (word: string): string => word.toLowerCase().replace(/[-_\s]/g, ''
 
 /** Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours cost 1 each. */
 function editDistance(a: string, b: string): number {
-  let beforePrevious: number[] = [];
-  let previous = Array.from({ length: b.length + 1 }, (_, j) => j);
-  for (let i = 1; i <= a.length; i++) {
-    const row = [i];
-    for (let j = 1; j <= b.length; j++) {
+  const rows: number[][] = [];
+  const at = (i: number, j: number): number => rows[i]?.[j] ?? Number.POSITIVE_INFINITY;
+  for (let i = 0; i <= a.length; i++) {
+    const row: number[] = [];
+    rows.push(row);
+    for (let j = 0; j <= b.length; j++) {
       const differs = a[i - 1] === b[j - 1] ? 0 : 1;
-      let edits = Math.min(at(previous, j) + 1, at(row, j - 1) + 1, at(previous, j - 1) + differs);
-      if (i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1]) {
-        edits = Math.min(edits, at(beforePrevious, j - 2) + 1);
-      }
-      row.push(edits);
+      const swapped = a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1] ? at(i - 2, j - 2) + 1 : Number.POSITIVE_INFINITY;
+      row[j] = Math.min(i + j === 0 ? 0 : swapped, at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + differs);
     }
-    beforePrevious = previous;
-    previous = row;
   }
-  return at(previous, b.length);
+  return at(a.length, b.length);
 }
-
-const at = (row: readonly number[], j: number): number => row[j] ?? Number.POSITIVE_INFINITY;

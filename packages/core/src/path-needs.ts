@@ -49,6 +49,7 @@ export function pathFeatures({ bounces, shapes, placed, emitters, features: give
   const set = (feature: Feature, needed: boolean): unknown => (needed ? present.add(feature) : present.delete(feature));
   set('through', true);
   set('indexed', true);
+  set('closeSphere', shapes.sphere + placed.sphere > 0);
   set('specular', has('specular') && has('dielectric'));
   for (const detail of ['specularTint', 'specularWeight'] as const) set(detail, has(detail) && has('specular'));
   set('reflective', has('metal') || has('specular') || has('transmission'));

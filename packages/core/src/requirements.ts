@@ -101,6 +101,7 @@ function directFeatures(
   set('mixedFalloff', has('falloff') && has('noFalloff'));
   set('shadows', several && hasLights && solid);
   set('indexed', indexed);
+  set('closeSphere', has('closeSphere') || (indexed && shapes.sphere + placed.sphere > 0));
   set('exactRays', indexed || has('wideRange'));
   return present;
 }

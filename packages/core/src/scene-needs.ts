@@ -8,6 +8,7 @@ import { planeAxes } from './primitives/plane.ts';
 import { isEmissive, type ResolvedScene } from './resolve-scene.ts';
 import { lights, material, type Shape } from './schema.ts';
 import type { RenderSettings } from './settings.ts';
+import { length, subtract } from './vector.ts';
 
 /** How light is followed: what of the settings bears on the shader. */
 export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator' | 'output'>>;
@@ -38,9 +39,10 @@ export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
     inside: scene.objects.some(
       ({ shape }) => isSolid(shape.type) && primitiveOf(shape).side(shape, scene.camera.position) < 0,
     ),
+    closeSphere: isCloseToSphere(scene),
     wideRange: hasWideRange(scene),
-    tiltedPlane: planesOf(scene).some((plane) => Math.abs(planeAxes(plane).normal[1]) !== 1),
-    turnedChecker: planesOf(scene).some((plane) => !isAlongAxes(plane)),
+    tiltedPlane: shapesOf(scene.objects, 'plane').some((plane) => Math.abs(planeAxes(plane).normal[1]) !== 1),
+    turnedChecker: shapesOf(scene.objects, 'plane').some((plane) => !isAlongAxes(plane)),
     environment: !!environment && !isImage,
     gradient: environment?.kind === 'gradient',
     backgroundEnvironment: isShown && !!environment && !isImage,
@@ -113,14 +115,20 @@ function isPlain({ camera, environment, lights: nodes, materials }: ResolvedScen
 /** Whether a kind can stand between two points outside of it. */
 export const isSolid = (kind: ShapeKind): boolean => primitiveOfKind(kind).occludes(1);
 
-const planesOf = ({ objects }: ResolvedScene): readonly Shape<'plane'>[] =>
-  objects.map(({ shape }) => shape).filter((shape) => shape.type === 'plane') as Shape<'plane'>[];
+const shapesOf = <K extends ShapeKind>(objects: ResolvedScene['objects'], kind: K): readonly Shape<K>[] =>
+  objects.map(({ shape }) => shape).filter(({ type }) => type === kind) as unknown as Shape<K>[];
 
 /** Whether U runs along x and V along -z, as on a floor whose tangent is left out. */
 function isAlongAxes(plane: Shape<'plane'>): boolean {
   const { tangent, bitangent } = planeAxes(plane);
   return tangent[0] === 1 && bitangent[2] === -1;
 }
+
+/** Whether a ray from the camera may meet a sphere where the centre is less than a radius ahead. */
+const isCloseToSphere = ({ objects, camera }: ResolvedScene): boolean =>
+  shapesOf(objects, 'sphere').some(
+    ({ center, radius }) => length(subtract(center, camera.position)) < Math.SQRT2 * radius,
+  );
 
 /** How much longer than another a length may be before f32 needs positions in two words. */
 const WIDE_RANGE = 2 ** 10;

@@ -1,5 +1,13 @@
 import type { PropertyDeclarations, PropertyValues } from '@lit/reactive-element';
-import { frameObjects, loadColors, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
+import {
+  frameObjects,
+  loadColors,
+  type Problem,
+  parseScene,
+  type ResolvedCamera,
+  type Scene,
+  SceneError,
+} from '@ray-scene/core';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
@@ -15,7 +23,6 @@ import type { SceneHost } from './scene-elements.ts';
 import { SettingsElement } from './settings-element.ts';
 import { ShadowTree } from './shadow-tree.ts';
 import { judge, type Reading, SceneSource, type SourceHost } from './source.ts';
-import { styles } from './styles.ts';
 
 const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true });
 
@@ -33,7 +40,6 @@ const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true }
  * @cssprop --ray-scene-focus-ring - An outline.
  */
 export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, SceneHost, SourceHost {
-  static override readonly styles = styles;
   static override readonly properties: PropertyDeclarations = {
     src: {},
     crossOrigin: {},
@@ -201,7 +207,6 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
       hasWebGL: !this.#lacksWebGL,
       hasPicture: this.#hasPicture,
       poster: this.poster,
-      error: this.#report.text,
     });
   }
 

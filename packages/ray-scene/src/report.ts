@@ -1,13 +1,14 @@
-import type { ReactiveControllerHost } from '@lit/reactive-element';
 import { type Problem, SceneError } from '@ray-scene/core';
+import type { ErrorOverlay } from './error-overlay.ts';
 import { RaySceneErrorEvent } from './events.ts';
 
 /** Tells what is wrong: in the element for who looks at it, on the console for who wrote it, as an event for scripts. */
 export class ErrorReport {
-  readonly #host: ReactiveControllerHost & EventTarget;
+  readonly #host: HTMLElement;
   #error: Error | undefined;
+  #overlay: Promise<ErrorOverlay> | undefined;
 
-  constructor(host: ReactiveControllerHost & EventTarget) {
+  constructor(host: HTMLElement) {
     this.#host = host;
   }
 
@@ -16,15 +17,17 @@ export class ErrorReport {
     if (error?.message === this.#error?.message) return;
     const known = lines(this.#error);
     this.#error = error;
-    this.#host.requestUpdate();
+    this.#show().catch(reportError);
     if (!error) return;
     for (const line of lines(error)) if (!known.includes(line)) console.error(line);
     this.#host.dispatchEvent(new RaySceneErrorEvent(error));
   }
 
-  /** What is wrong, in words. */
-  get text(): string | undefined {
-    return this.#error?.message;
+  async #show(): Promise<void> {
+    this.#overlay ??= import('./error-overlay.ts').then(
+      ({ ErrorOverlay }) => new ErrorOverlay(this.#host.shadowRoot as ShadowRoot),
+    );
+    (await this.#overlay).show(this.#error?.message);
   }
 }
 

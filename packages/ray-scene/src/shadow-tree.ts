@@ -1,5 +1,5 @@
 /** What `<ray-scene>` is made of inside. So little changes there that templates would be most of the code. */
-import type { Problem } from '@ray-scene/core';
+import { styleSheet } from './styles.ts';
 
 export interface ShadowState {
   /** What the picture shows, in words. */
@@ -10,8 +10,6 @@ export interface ShadowState {
   readonly hasPicture: boolean;
   /** Address of an image to show until there is a picture. */
   readonly poster: string | null;
-  /** What is wrong, in words. */
-  readonly error: Problem['message'] | undefined;
 }
 
 /** Of the text that says which keys there are; see `camera-controls.ts`. */
@@ -22,18 +20,18 @@ export class ShadowTree {
   readonly #image = make('img', { alt: '' });
   readonly #poster = make('div', { part: 'poster' });
   readonly #nodes = make('div', {});
-  // A long text scrolls, so it can have the focus.
-  readonly #error = make('div', { part: 'error', role: 'alert', tabindex: '0' });
 
   constructor(root: ShadowRoot) {
     const poster = make('slot', { name: 'poster' });
     poster.append(this.#image);
     this.#poster.append(poster);
     this.#nodes.append(make('slot', {}));
-    root.append(this.canvas, this.#poster, this.#nodes, this.#error);
+    root.append(this.canvas, this.#poster, this.#nodes);
+    // Before those of classes that go further, so that theirs win.
+    root.adoptedStyleSheets.unshift(styleSheet());
   }
 
-  show({ label, keys, hasWebGL, hasPicture, poster, error }: ShadowState): void {
+  show({ label, keys, hasWebGL, hasPicture, poster }: ShadowState): void {
     set(this.canvas, 'aria-label', label);
     set(this.canvas, 'aria-describedby', keys ? KEYS_ID : null);
     set(this.canvas, 'tabindex', keys ? '0' : null);
@@ -43,8 +41,6 @@ export class ShadowTree {
     this.#image.hidden = !poster;
     // Without a picture, whatever else the author put there is shown in its place.
     this.#nodes.classList.toggle('nodes', hasWebGL);
-    this.#error.hidden = !error;
-    if (this.#error.textContent !== (error ?? '')) this.#error.textContent = error ?? '';
   }
 }
 

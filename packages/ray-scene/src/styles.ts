@@ -1,4 +1,3 @@
-import { unsafeCSS } from '@lit/reactive-element';
 import { sceneElements } from './scene-elements.ts';
 
 /** A rule selector for the children that are parts of the scene. */
@@ -6,8 +5,7 @@ const nodes = Object.keys(sceneElements)
   .map((tag) => `::slotted(${tag})`)
   .join();
 
-// Lit's `css` would make sure that all of this is ours, which it is.
-export const styles = unsafeCSS(`
+const text = `
   :host {
     display: block;
     position: relative;
@@ -53,17 +51,15 @@ export const styles = unsafeCSS(`
   ${nodes} {
     visibility: visible;
   }
-  [part='error'] {
-    position: absolute;
-    inset: auto 0 0;
-    box-sizing: border-box;
-    max-height: 100%;
-    padding: 0.75em 1em;
-    overflow: auto;
-    overflow-wrap: anywhere;
-    white-space: pre-line;
-    font: 0.875rem / 1.4 system-ui, sans-serif;
-    color: var(--ray-scene-error-color, #fff);
-    background: var(--ray-scene-error-background, #8b1a1a);
+`;
+
+let sheet: CSSStyleSheet | undefined;
+
+/** The one sheet of all elements, which a server has none of. */
+export function styleSheet(): CSSStyleSheet {
+  if (!sheet) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(text);
   }
-`);
+  return sheet;
+}

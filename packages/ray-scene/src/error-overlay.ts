@@ -1,0 +1,41 @@
+/** What is wrong, in words, over the picture. */
+const style = `
+  [part='error'] {
+    position: absolute;
+    inset: auto 0 0;
+    box-sizing: border-box;
+    max-height: 100%;
+    padding: 0.75em 1em;
+    overflow: auto;
+    overflow-wrap: anywhere;
+    white-space: pre-line;
+    font: 0.875rem / 1.4 system-ui, sans-serif;
+    color: var(--ray-scene-error-color, #fff);
+    background: var(--ray-scene-error-background, #8b1a1a);
+  }
+`;
+
+let sheet: CSSStyleSheet | undefined;
+
+export class ErrorOverlay {
+  readonly #element = document.createElement('div');
+
+  constructor(root: ShadowRoot) {
+    if (!sheet) {
+      sheet = new CSSStyleSheet();
+      sheet.replaceSync(style);
+    }
+    root.adoptedStyleSheets.push(sheet);
+    this.#element.setAttribute('part', 'error');
+    this.#element.role = 'alert';
+    // A long text scrolls, so it can have the focus.
+    this.#element.tabIndex = 0;
+    root.append(this.#element);
+  }
+
+  /** Undefined: nothing is wrong any more. */
+  show(text: string | undefined): void {
+    this.#element.hidden = !text;
+    this.#element.textContent = text ?? '';
+  }
+}
