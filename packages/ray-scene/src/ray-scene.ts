@@ -1,13 +1,5 @@
 import type { PropertyDeclarations, PropertyValues } from '@lit/reactive-element';
-import {
-  frameObjects,
-  loadColors,
-  type Problem,
-  parseScene,
-  type ResolvedCamera,
-  type Scene,
-  SceneError,
-} from '@ray-scene/core';
+import { frameObjects, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
@@ -180,6 +172,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     super.connectedCallback();
     adoptEarlyProperties(this, [...Object.keys(this.fields), 'scene', 'camera']);
     this.#failure = undefined;
+    this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
@@ -251,7 +244,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const own = judge('attributes', { background: this.background ?? undefined }, words);
     this.#ownProblems = [...this.attributeProblems, ...own.problems];
     const { scene, origin, markup } = this.#reading ?? {};
-    if (this.#problems.length > 0 && this.#source.readAfter(loadColors())) return;
+    if (this.#problems.length > 0 && this.#source.readAfter(this.#report.load())) return;
     if (scene && origin) {
       this.#markup = markup;
       this.#adopt(scene, origin, own.scene?.background);
@@ -288,7 +281,11 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
 
   #fail(error: Error): void {
     this.#failure = error;
-    this.#tell();
+    this.requestUpdate();
+    const tell = () => this.#tell();
+    const loading = this.#report.load();
+    if (loading) loading.then(tell, tell);
+    else tell();
   }
 
   #draw(scene: Scene, { seconds, sharers }: Frame): boolean {
@@ -306,6 +303,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     if (progress.samples === 0 && !progress.shown) return progress.more;
     if (this.#failure) {
       this.#failure = undefined;
+      this.requestUpdate();
       this.#tell();
     }
     if (!this.#hasPicture) this.requestUpdate();

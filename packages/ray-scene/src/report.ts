@@ -1,15 +1,26 @@
-import { type Problem, SceneError } from '@ray-scene/core';
+import { loadColors, type Problem, SceneError } from '@ray-scene/core';
 import type { ErrorOverlay } from './error-overlay.ts';
 import { RaySceneErrorEvent } from './events.ts';
 
 /** Tells what is wrong: in the element for who looks at it, on the console for who wrote it, as an event for scripts. */
 export class ErrorReport {
+  static #Overlay: typeof ErrorOverlay | undefined;
   readonly #host: HTMLElement;
   #error: Error | undefined;
-  #overlay: Promise<ErrorOverlay> | undefined;
+  #overlay: ErrorOverlay | undefined;
 
   constructor(host: HTMLElement) {
     this.#host = host;
+  }
+
+  /** Loads what it takes to be sure that something is wrong, and to show it; undefined: it is all there. */
+  load(): Promise<unknown> | undefined {
+    const colors = loadColors();
+    if (!colors && ErrorReport.#Overlay) return undefined;
+    const overlay = import('./error-overlay.ts').then(({ ErrorOverlay }) => {
+      ErrorReport.#Overlay = ErrorOverlay;
+    });
+    return Promise.all([colors, overlay]);
   }
 
   /** All that is wrong now, or undefined. What was told before and has not changed is not told again. */
@@ -17,17 +28,12 @@ export class ErrorReport {
     if (error?.message === this.#error?.message) return;
     const known = lines(this.#error);
     this.#error = error;
-    this.#show().catch(reportError);
+    const { shadowRoot } = this.#host;
+    if (ErrorReport.#Overlay && shadowRoot) this.#overlay ??= new ErrorReport.#Overlay(shadowRoot);
+    this.#overlay?.show(error?.message);
     if (!error) return;
     for (const line of lines(error)) if (!known.includes(line)) console.error(line);
     this.#host.dispatchEvent(new RaySceneErrorEvent(error));
-  }
-
-  async #show(): Promise<void> {
-    this.#overlay ??= import('./error-overlay.ts').then(
-      ({ ErrorOverlay }) => new ErrorOverlay(this.#host.shadowRoot as ShadowRoot),
-    );
-    (await this.#overlay).show(this.#error?.message);
   }
 }
 
