@@ -22,6 +22,7 @@ export { nearestWord } from './nearest-word.ts';
 export { packingFrame, packScene, packView } from './pack-scene.ts';
 export { parseScene, type SourceWords } from './parse-scene.ts';
 export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
+export { readRadianceImage } from './radiance-image.ts';
 export { pixelSample } from './random.ts';
 export { type Intersection, intersect } from './reference/intersect.ts';
 export { mergeRequirements, type Requirements, requirements, requirementsKey } from './requirements.ts';

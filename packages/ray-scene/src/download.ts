@@ -1,19 +1,23 @@
-/** A text on its way from a URL. */
-export class Download {
+/** Something on its way from a URL. */
+export class Download<T> {
   readonly url: string;
   readonly credentials: RequestCredentials;
   /** What has arrived, or why nothing did. */
-  result: { readonly text: string } | { readonly problem: string } | undefined;
+  result: { readonly value: T } | { readonly problem: string } | undefined;
   readonly #abort = new AbortController();
 
-  /** @param done told when there is a result. */
-  constructor(url: string, credentials: RequestCredentials, done: () => void) {
+  /**
+   * @param read makes something of the answer.
+   * @param done told when there is a result.
+   */
+  constructor(url: string, credentials: RequestCredentials, read: (answer: Response) => Promise<T>, done: () => void) {
     this.url = url;
     this.credentials = credentials;
     const { signal } = this.#abort;
-    fetchText(url, { credentials, signal })
+    fetchGood(url, { credentials, signal })
+      .then(read)
       .then(
-        (text) => ({ text }),
+        (value) => ({ value }),
         (error: Error) => ({ problem: `could not be loaded: ${error.message}` }),
       )
       .then((result) => {
@@ -29,8 +33,8 @@ export class Download {
   }
 }
 
-async function fetchText(url: string, init: RequestInit): Promise<string> {
+async function fetchGood(url: string, init: RequestInit): Promise<Response> {
   const response = await fetch(url, init);
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-  return response.text();
+  return response;
 }

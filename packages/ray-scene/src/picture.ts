@@ -1,4 +1,4 @@
-import type { RenderSettings, ResolvedCamera, Scene } from '@ray-scene/core';
+import type { EnvironmentImages, RenderSettings, ResolvedCamera, Scene } from '@ray-scene/core';
 import { Renderer, type RenderStats, type StopReason } from './renderer.ts';
 
 /** What a turn of drawing has brought. */
@@ -44,8 +44,13 @@ export class Picture {
     return this.#renderer.stats;
   }
 
-  show(scene: Scene, settings: RenderSettings, [width, height]: readonly [number, number]): void {
-    if (scene !== this.#scene) this.#renderer.setScene(scene);
+  show(
+    scene: Scene,
+    images: EnvironmentImages | undefined,
+    settings: RenderSettings,
+    [width, height]: readonly [number, number],
+  ): void {
+    if (scene !== this.#scene) this.#renderer.setScene(scene, images);
     if (settings !== this.#settings) this.#renderer.setSettings(settings);
     this.#renderer.resize(width, height);
     this.#scene = scene;

@@ -1,5 +1,13 @@
 import type { PropertyDeclarations, PropertyValues } from '@lit/reactive-element';
-import { frameObjects, type Problem, parseScene, type ResolvedCamera, type Scene, SceneError } from '@ray-scene/core';
+import {
+  type EnvironmentImages,
+  frameObjects,
+  type Problem,
+  parseScene,
+  type ResolvedCamera,
+  type Scene,
+  SceneError,
+} from '@ray-scene/core';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
@@ -9,12 +17,13 @@ import { Picture } from './picture.ts';
 import { Pointing } from './pointing.ts';
 import { ProgressReport } from './progress-report.ts';
 import type { Markup } from './read-markup.ts';
+import { judge, type Reading } from './reading.ts';
 import { type RenderStats, WebGLUnavailableError } from './renderer.ts';
 import { ErrorReport } from './report.ts';
 import type { SceneHost } from './scene-elements.ts';
 import { SettingsElement } from './settings-element.ts';
 import { ShadowTree } from './shadow-tree.ts';
-import { judge, type Reading, SceneSource, type SourceHost } from './source.ts';
+import { SceneSource, type SourceHost } from './source.ts';
 
 const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true });
 
@@ -63,7 +72,11 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   /** Whether the picture stays as it is but for edits. */
   declare paused: boolean;
 
-  readonly #source = new SceneSource(this, () => this.#sceneChanged());
+  readonly #source = new SceneSource(
+    this,
+    () => this.#sceneChanged(),
+    (error) => this.#fail(error),
+  );
   readonly #loop = new FrameLoop(this, (frame) => this.#frame(frame));
   readonly #size = new CanvasSize(this, () => this.#viewChanged());
   readonly #orbit = new Orbit(this, () => this.#viewChanged());
@@ -74,8 +87,9 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   #reading: Reading | undefined;
   /** What is wrong with the attributes of the element itself. */
   #ownProblems: readonly Problem[] = [];
-  /** The last good scene, its JSON, and where it came from. */
+  /** The last good scene, its images and its JSON, and where it came from. */
   #scene: Scene | undefined;
+  #images: EnvironmentImages | undefined;
   #json = '';
   #origin = '';
   #markup: Markup | undefined;
@@ -243,26 +257,28 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const words = { locate: () => this.localName, field: 'attribute', spell: attributeOf };
     const own = judge('attributes', { background: this.background ?? undefined }, words);
     this.#ownProblems = [...this.attributeProblems, ...own.problems];
-    const { scene, origin, markup } = this.#reading ?? {};
+    const { scene, origin, markup, images } = this.#reading ?? {};
     if (this.#problems.length > 0 && this.#source.readAfter(this.#report.load())) return;
     if (scene && origin) {
       this.#markup = markup;
-      this.#adopt(scene, origin, own.scene?.background);
+      this.#adopt(scene, origin, own.scene?.background, images);
     }
     this.#tell();
   }
 
-  #adopt(parsed: Scene, origin: string, background: Scene['background']): void {
+  #adopt(parsed: Scene, origin: string, background: Scene['background'], images?: EnvironmentImages): void {
     const scene = background ? { ...parsed, background } : parsed;
     const isOther = origin !== this.#origin;
     const before = this.#scene;
     this.#origin = origin;
     if (isOther) this.#progress.expectLoad();
-    const json = JSON.stringify(scene);
+    // From elsewhere, the same address is another image.
+    const json = JSON.stringify([scene, images && origin]);
     // Setting the same scene anew would throw its samples away.
     if (json === this.#json) return;
     this.#json = json;
     this.#scene = scene;
+    this.#images = images;
     if (before && (isOther || JSON.stringify(before.camera) !== JSON.stringify(scene.camera))) this.#orbit.reset();
     if (before?.name !== scene.name) this.requestUpdate();
   }
@@ -274,18 +290,20 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   #tell(): void {
     const problems = this.#problems;
     const error = this.#failure ?? (problems.length > 0 ? new SceneError(problems) : undefined);
+    const loading = error && this.#report.load();
+    if (loading) {
+      loading.then(() => this.#tell());
+      return;
+    }
     this.#report.tell(error);
-    const shows = !this.#failure && (!this.#reading || this.#reading.scene);
+    const shows = !this.#failure && (this.#source.pending || !this.#reading || this.#reading.scene);
     if (error && !shows) this.#progress.fail(error);
   }
 
   #fail(error: Error): void {
     this.#failure = error;
     this.requestUpdate();
-    const tell = () => this.#tell();
-    const loading = this.#report.load();
-    if (loading) loading.then(tell, tell);
-    else tell();
+    this.#tell();
   }
 
   #draw(scene: Scene, { seconds, sharers }: Frame): boolean {
@@ -293,7 +311,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const size = this.#size.measure(settings.pixelRatio);
     const picture = size[0] * size[1] > 0 ? this.#openPicture() : undefined;
     if (!picture) return false;
-    picture.show(scene, settings, size);
+    picture.show(scene, this.#images, settings, size);
     const wanted = this.#wanted;
     this.#wanted = undefined;
     if (wanted) this.camera = wanted;

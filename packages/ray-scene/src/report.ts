@@ -5,6 +5,8 @@ import { RaySceneErrorEvent } from './events.ts';
 /** Tells what is wrong: in the element for who looks at it, on the console for who wrote it, as an event for scripts. */
 export class ErrorReport {
   static #Overlay: typeof ErrorOverlay | undefined;
+  static #loading: Promise<unknown> | undefined;
+  static #isLoaded = false;
   readonly #host: HTMLElement;
   #error: Error | undefined;
   #overlay: ErrorOverlay | undefined;
@@ -13,14 +15,18 @@ export class ErrorReport {
     this.#host = host;
   }
 
-  /** Loads what it takes to be sure that something is wrong, and to show it; undefined: it is all there. */
+  /** Loads what it takes to be sure that something is wrong, and to show it; undefined: it is all there, or not to be had. */
   load(): Promise<unknown> | undefined {
-    const colors = loadColors();
-    if (!colors && ErrorReport.#Overlay) return undefined;
-    const overlay = import('./error-overlay.ts').then(({ ErrorOverlay }) => {
-      ErrorReport.#Overlay = ErrorOverlay;
-    });
-    return Promise.all([colors, overlay]);
+    if (ErrorReport.#isLoaded) return undefined;
+    const overlay = async () => {
+      ErrorReport.#Overlay = (await import('./error-overlay.ts')).ErrorOverlay;
+    };
+    ErrorReport.#loading ??= Promise.all([loadColors(), overlay()])
+      .catch(reportError)
+      .then(() => {
+        ErrorReport.#isLoaded = true;
+      });
+    return ErrorReport.#loading;
   }
 
   /** All that is wrong now, or undefined. What was told before and has not changed is not told again. */

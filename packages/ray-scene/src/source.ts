@@ -1,44 +1,42 @@
 import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
-import { jsonPath, type Problem, parseScene, type Scene, SceneError, type SourceWords } from '@ray-scene/core';
+import { jsonPath, type Scene, type SourceWords } from '@ray-scene/core';
 import { Download } from './download.ts';
-import { isSceneMarkup, type Markup, readMarkup } from './read-markup.ts';
+import { isSceneMarkup, readMarkup } from './read-markup.ts';
+import { absolute, judge, type Reading } from './reading.ts';
+import type { SceneImages } from './scene-images.ts';
 
 export interface SourceHost extends ReactiveControllerHost, HTMLElement {
   readonly src: string | null;
   readonly crossOrigin: string | null;
 }
 
-/** What the source says. */
-export interface Reading {
-  /** Which kind of source, and its address if it has one: from another origin comes another scene, not an edit. */
-  readonly origin: string;
-  readonly scene?: Scene;
-  readonly problems: readonly Problem[];
-  /** If it was read from child elements. */
-  readonly markup?: Markup;
-}
-
 /** Where the scene comes from: the last one assigned, else `src`, else an inline script, else child elements. */
 export class SceneSource implements ReactiveController {
   readonly #host: SourceHost;
   readonly #changed: () => void;
+  readonly #failed: (error: Error) => void;
   #observer: MutationObserver | undefined;
   #assigned: unknown;
-  #download: Download | undefined;
+  #download: Download<string> | undefined;
+  #images: SceneImages | undefined;
   #stale = true;
-  /** What it takes to read the source rightly. */
-  #loading: Promise<unknown> | undefined;
-  #isBeyondHelp = false;
+  /** Whether something has yet to arrive. */
+  #waits = false;
 
-  constructor(host: SourceHost, changed: () => void) {
+  /**
+   * @param changed told when there is, or will be, something to read.
+   * @param failed told when a part of the program could not be loaded.
+   */
+  constructor(host: SourceHost, changed: () => void, failed: (error: Error) => void) {
     this.#host = host;
     this.#changed = changed;
+    this.#failed = failed;
     host.addController(this);
   }
 
   /** Whether there is, or will be, something new to read. */
   get pending(): boolean {
-    return this.#stale || this.#loading !== undefined || (this.#download !== undefined && !this.#download.result);
+    return this.#stale || this.#waits;
   }
 
   assign(scene: unknown): void {
@@ -54,17 +52,10 @@ export class SceneSource implements ReactiveController {
 
   /** Reads all of it again when something is there that may make it right. Returns whether to wait for that. */
   readAfter(loading: Promise<unknown> | undefined): boolean {
-    if (this.#isBeyondHelp) return false;
-    this.#loading ??= loading
-      ?.catch((error: Error) => {
-        this.#isBeyondHelp = true;
-        reportError(error);
-      })
-      .then(() => {
-        this.#loading = undefined;
-        this.touch();
-      });
-    return this.#loading !== undefined;
+    if (!loading) return false;
+    this.#waits = true;
+    loading.then(() => this.touch());
+    return true;
   }
 
   /** Takes note of edits that the browser has not told of yet. */
@@ -77,6 +68,13 @@ export class SceneSource implements ReactiveController {
     this.flush();
     if (!this.#stale) return undefined;
     this.#stale = false;
+    const reading = this.#read();
+    const whole = reading?.scene?.environment?.src ? this.#withImages(reading, reading.scene) : reading;
+    this.#waits = !whole;
+    return whole;
+  }
+
+  #read(): Reading | undefined {
     if (this.#assigned !== undefined) {
       this.#stop();
       return judge('scene property', this.#assigned);
@@ -95,6 +93,7 @@ export class SceneSource implements ReactiveController {
   hostDisconnected(): void {
     this.#observer?.disconnect();
     if (!this.#download?.result) this.#stop();
+    this.#images?.cancel();
   }
 
   #declared(): Reading | undefined {
@@ -119,31 +118,40 @@ export class SceneSource implements ReactiveController {
 
   #downloaded(src: string): Reading | undefined {
     const url = absolute(src, this.#host.baseURI);
-    const credentials = this.#host.crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
+    const credentials = this.#credentials;
     if (this.#download?.url !== url || this.#download.credentials !== credentials) {
       this.#stop();
-      this.#download = new Download(url, credentials, () => this.touch());
+      this.#download = new Download(
+        url,
+        credentials,
+        (answer) => answer.text(),
+        () => this.touch(),
+      );
     }
     const { result } = this.#download;
     if (!result) return undefined;
-    if ('text' in result) return judge(url, result.text, jsonIn(url));
+    if ('value' in result) return judge(url, result.value, jsonIn(url));
     return { origin: url, problems: [{ path: [], where: url, message: result.problem }] };
+  }
+
+  /** The reading of a scene that names images, when they are there. */
+  #withImages(reading: Reading, scene: Scene): Reading | undefined {
+    const base = { url: this.#download?.url ?? this.#host.baseURI, credentials: this.#credentials };
+    if (this.#images) return this.#images.complete(reading, scene, base);
+    import('./scene-images.ts').then(({ SceneImages }) => {
+      this.#images ??= new SceneImages(() => this.touch());
+      this.touch();
+    }, this.#failed);
+    return undefined;
+  }
+
+  get #credentials(): RequestCredentials {
+    return this.#host.crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
   }
 
   #stop(): void {
     this.#download?.cancel();
     this.#download = undefined;
-  }
-}
-
-/** What comes of an input, and of what was `found` to be wrong with it before. */
-export function judge(origin: string, input: unknown, words?: SourceWords, found: readonly Problem[] = []): Reading {
-  try {
-    const scene = parseScene(input, words);
-    return found.length > 0 ? { origin, problems: found } : { origin, scene, problems: [] };
-  } catch (error) {
-    if (!(error instanceof SceneError)) throw error;
-    return { origin, problems: [...found, ...error.problems] };
   }
 }
 
@@ -156,15 +164,6 @@ const jsonIn = (place: string): SourceWords => ({
 
 const isJsonScript = (element: Element): boolean =>
   element instanceof HTMLScriptElement && element.type === 'application/json';
-
-/** An address that is none is left for `fetch` to complain about. */
-function absolute(address: string, base: string): string {
-  try {
-    return new URL(address, base).href;
-  } catch {
-    return address;
-  }
-}
 
 /** Whether the parser of the page is past the end of a node. */
 function isParsed(node: Node): boolean {
