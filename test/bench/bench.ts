@@ -1,20 +1,17 @@
-/**
- * `npm run bench -- [--quick] [--scene NAME] [--engine chromium|firefox|webkit] [--json FILE]`: how long it takes to the
- * first picture of each example scene, and for each further sample; and the same for shaders of the same scenes that
- * were written by hand (`floors/NAME.frag`). With `--primitives` instead: a sample of shapes of each kind, by the engine's
- * formulas and by those of textbooks.
- */
+/** `npm run bench`: see `options.ts` for what it can be asked for. */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { parse } from 'node:path';
-import { parseArgs } from 'node:util';
 import { parseSettings, type RenderSettings } from '@ray-scene/core';
-import { type Browser, ENGINES, findBrowser } from '../browsers.mjs';
+import { type Browser, findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
+import { type BenchOptions, oneOf, readOptions, USAGE } from './options.ts';
 import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
-import { printReport } from './report.ts';
+import { printMachine, printScenes } from './report.ts';
+import { presetsOf, printPresets } from './trade/presets.ts';
+import { benchTrade, printTrade, readNumbers, writeReport } from './trade/trade.ts';
 
 const SCENES = 'examples/scenes';
 
@@ -23,27 +20,12 @@ const SETTINGS: { readonly [scene: string]: Partial<RenderSettings> } = {
   classic: { integrator: 'direct', bounces: 10 },
 };
 
-const QUICK: Plan = { coldStarts: 3, rounds: 9, turnMs: 200 };
+const QUICK: Plan = { coldStarts: 2, rounds: 9, turnMs: 100 };
 const THOROUGH: Plan = { coldStarts: 9, rounds: 31, turnMs: 400 };
 
-const { values: options } = parseArgs({
-  options: {
-    quick: { type: 'boolean', default: false },
-    scene: { type: 'string' },
-    engine: { type: 'string', default: 'chromium' },
-    json: { type: 'string' },
-    primitives: { type: 'boolean', default: false },
-  },
-});
-
-function oneOf(option: string, value: string, allowed: readonly string[]): string {
-  if (!allowed.includes(value)) throw new Error(`--${option} takes ${allowed.join(', ')}, not ${value}`);
-  return value;
-}
-
-function scenesToBench(): readonly SceneToBench[] {
+function scenesToBench(scene: string | undefined): readonly SceneToBench[] {
   const all = readdirSync(SCENES).map((file) => parse(file).name);
-  const names = options.scene === undefined ? all : [oneOf('scene', options.scene, all)];
+  const names = scene === undefined ? all : [oneOf('scene', scene, all)];
   return names.map((name) => {
     const floor = `test/bench/floors/${name}.frag`;
     return {
@@ -60,38 +42,62 @@ function tracing(name: string): Pick<RenderSettings, 'integrator' | 'bounces'> {
   return { integrator, bounces };
 }
 
-async function wantedBrowser(): Promise<Browser> {
-  const engine = oneOf('engine', options.engine, ENGINES);
+async function wantedBrowser(engine: string): Promise<Browser> {
   const browser = await findBrowser(engine);
   if (!browser) throw new Error(`there is no browser for ${engine}`);
   await ensureDisplay([browser]);
   return browser;
 }
 
-async function benchScenes(browser: Browser, plan: Plan) {
-  const scenes = scenesToBench();
-  const start = () => startBrowser(browser);
-  const result = {
-    machine: await describeMachine(start),
-    plan,
-    bundle: { brotli: bundleSize() },
-    scenes: await measure(start, scenes, plan),
-  };
-  printReport(result);
-  return result;
-}
-
 async function benchPrimitives(browser: Browser, plan: Plan) {
-  const machine = await describeMachine(() => startBrowser(browser));
   const started = await startBrowser(browser, PRIMITIVES_PAGE);
   const primitives = await measurePrimitives(started, plan);
   await started.close();
-  console.log(`${machine.browser}, ${machine.renderer}, load ${machine.load.toFixed(1)}`);
   printPrimitives(primitives);
-  return { machine, plan, primitives };
+  return { primitives };
 }
 
-const browser = await wantedBrowser();
-const plan = options.quick ? QUICK : THOROUGH;
-const result = await (options.primitives ? benchPrimitives : benchScenes)(browser, plan);
-if (options.json) writeFileSync(options.json, `${JSON.stringify(result, null, 2)}\n`);
+async function benchScenes(browser: Browser, scenes: readonly SceneToBench[], plan: Plan) {
+  const result = { scenes: await measure(() => startBrowser(browser), scenes, plan) };
+  printScenes(result.scenes, plan);
+  return result;
+}
+
+async function bench({ quick, parts, scene, engine, json }: BenchOptions) {
+  const scenes = scenesToBench(scene);
+  const browser = await wantedBrowser(engine);
+  const plan = quick ? QUICK : THOROUGH;
+  const machine = await describeMachine(() => startBrowser(browser));
+  const bundle = { brotli: bundleSize() };
+  printMachine(machine, bundle.brotli);
+  const result = {
+    machine,
+    plan,
+    bundle,
+    ...(parts.includes('primitives') && (await benchPrimitives(browser, plan))),
+    ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),
+  };
+  if (!parts.includes('trade')) return write(json, result);
+  const numbers = await benchTrade(browser, scenes, quick);
+  printTrade(numbers);
+  return write(json, { ...result, ...numbers });
+}
+
+function write<R>(file: string | undefined, result: R): R {
+  if (file) writeFileSync(file, `${JSON.stringify(result, null, 2)}\n`);
+  return result;
+}
+
+async function main(): Promise<void> {
+  const options = readOptions(process.argv.slice(2));
+  if (options.help) return console.log(USAGE);
+  const numbers = options.from ? readNumbers(options.from) : await bench(options);
+  if (!('trade' in numbers)) return;
+  if (options.report) writeReport(numbers, numbers.machine);
+  if (options.presets && !printPresets(presetsOf(numbers.trade))) process.exitCode = 1;
+}
+
+await main().catch((error: Error) => {
+  console.error(error.message);
+  process.exitCode = 1;
+});

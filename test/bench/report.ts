@@ -2,19 +2,17 @@
 import type { Machine } from './circumstances.ts';
 import type { Measured, Pace, Plan } from './measure.ts';
 
-export interface Report {
-  readonly machine: Machine;
-  readonly plan: Plan;
-  readonly bundle: { readonly brotli: number | null };
-  readonly scenes: { readonly [scene: string]: Measured };
-}
-
-export function printReport({ machine, plan, bundle, scenes }: Report): void {
+export function printMachine(machine: Machine, brotli: number | null): void {
   const { browser, renderer, processor, cores, system, load, sampleTimes } = machine;
+  const time = sampleTimes === 'cpu' ? 'what all processors spend together in the browser' : 'time on the clock';
   console.log(`${browser}, ${renderer}
 ${processor}, ${cores} cores, ${system}, load ${load.toFixed(1)}
-ray-scene.min.js: ${bundle.brotli === null ? 'does not build' : `${bundle.brotli} bytes brotli`}
+ray-scene.min.js: ${brotli === null ? 'does not build' : `${brotli} bytes brotli`}
+Times of samples are ${time}. They are of this machine and its load: compare ratios.`);
+}
 
+export function printScenes(scenes: { readonly [scene: string]: Measured }, plan: Plan): void {
+  console.log(`
 ms, medians; pictures of 300 × 300; first frames of ${plan.coldStarts} starts, samples of ${plan.rounds} turns
 ${line(['scene', 'shader chars', 'compile', 'first frame', 'ms/sample', 'wall', 'ratio to floor'])}`);
   for (const [name, measured] of Object.entries(scenes)) {
@@ -25,10 +23,9 @@ ${line(['scene', 'shader chars', 'compile', 'first frame', 'ms/sample', 'wall', 
     console.log(line(['  at 600 × 600', '', '', '', ...paceCells(at600)]));
     console.log(line(['  its floor', '', '', '', ...floorCells(at600)]));
   }
-  const time = sampleTimes === 'cpu' ? 'what all processors spent together in the browser' : 'time on the clock';
-  console.log(`
-ms/sample is ${time}. The ratio to the floor, a shader written by hand for that one
-scene, is the median of ${plan.rounds} pairs. Times are of this machine and its load: compare ratios.`);
+  console.log(
+    `The ratio to the floor, a shader written by hand for that one scene, is the median of ${plan.rounds} pairs.`,
+  );
 }
 
 const paceCells = ({ msPerSample, wallMsPerSample, floorRatio }: Pace): string[] => [

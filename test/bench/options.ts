@@ -1,0 +1,78 @@
+/** What `npm run bench` can be asked for. */
+import { parseArgs } from 'node:util';
+import { ENGINES } from '../browsers.mjs';
+
+/** What is measured; without a wish both of the first two are. */
+export const PARTS = ['scenes', 'trade', 'primitives'] as const;
+export type Part = (typeof PARTS)[number];
+
+export const USAGE = `npm run bench -- [options]
+
+Measures how long scenes take, and what each setting costs and buys.
+
+  --only scenes       time to the first picture and for each sample of the example scenes, against shaders by hand
+  --only trade        each example scene with each setting: time, noise, bias, PSNR, FLIP; how well noise is known
+  --only primitives   shapes of each kind by the engine's formulas and by those of textbooks; also --primitives
+  --scene NAME        only this one of examples/scenes
+  --engine NAME       ${ENGINES.join(', ')} (default: chromium)
+  --quick             fewer turns, and of the settings only path and direct: under 3 minutes
+  --json FILE         writes the numbers
+  --from FILE         measures nothing, and takes the numbers of the trade that --json wrote
+  --report            writes docs/what-accuracy-costs.md and its plots, from the trade of all scenes
+  --presets           tells which settings quality should stand for; fails if settings.ts says otherwise
+  --help              this text
+
+Without --only: scenes and trade.`;
+
+export interface BenchOptions {
+  readonly quick: boolean;
+  readonly parts: readonly Part[];
+  readonly scene: string | undefined;
+  readonly engine: string;
+  readonly json: string | undefined;
+  readonly from: string | undefined;
+  readonly report: boolean;
+  readonly presets: boolean;
+  readonly help: boolean;
+}
+
+/** @throws {Error} in words for people. */
+export function readOptions(args: readonly string[]): BenchOptions {
+  const { values } = parseArgs({
+    args: [...args],
+    options: {
+      quick: { type: 'boolean', default: false },
+      only: { type: 'string' },
+      scene: { type: 'string' },
+      engine: { type: 'string', default: 'chromium' },
+      json: { type: 'string' },
+      from: { type: 'string' },
+      report: { type: 'boolean', default: false },
+      presets: { type: 'boolean', default: false },
+      primitives: { type: 'boolean', default: false },
+      help: { type: 'boolean', default: false },
+    },
+  });
+  const { only = values.primitives ? 'primitives' : undefined, quick, scene, engine, report, presets } = values;
+  if (only !== undefined) oneOf('only', only, PARTS);
+  oneOf('engine', engine, ENGINES);
+  const whole = !quick && scene === undefined && (only === undefined || only === 'trade');
+  if ((report || presets) && !whole)
+    throw new Error('--report and --presets need the trade of all scenes and settings');
+  return {
+    quick,
+    parts: only === undefined ? ['scenes', 'trade'] : [only as Part],
+    scene,
+    engine,
+    json: values.json,
+    from: values.from,
+    report,
+    presets,
+    help: values.help,
+  };
+}
+
+export function oneOf(option: string, value: string, allowed: readonly string[]): string {
+  if (!allowed.includes(value)) throw new Error(`--${option} takes ${allowed.join(', ')}, not ${value}`);
+  return value;
+}

@@ -1,0 +1,71 @@
+/** The settings that the trade is measured at: one knob turned at a time, from where `balanced` stands. */
+
+export interface Setting {
+  readonly integrator: 'path' | 'direct';
+  readonly bounces: number;
+  /** How many surfaces a path meets before roulette may end it. */
+  readonly roulette: number;
+  /** Pixels per pixel that is shown, along each side. */
+  readonly scale: number;
+  readonly target: 'float' | 'half';
+  /** How the one light is chosen that is asked: by what it may contribute, or all of them alike. */
+  readonly lights: 'power' | 'uniform';
+}
+
+export type Knob = keyof Setting;
+
+export interface Variant {
+  readonly name: string;
+  /** What differs from `BASE` first of all. */
+  readonly knob: Knob | 'none';
+  readonly setting: Setting;
+  /** Samples per pixel at which it is looked at. */
+  readonly samples: readonly number[];
+}
+
+/** More than any number of bounces: no roulette. */
+const NEVER = 64;
+
+export const BASE: Setting = {
+  integrator: 'path',
+  bounces: 6,
+  roulette: 3,
+  scale: 1,
+  target: 'float',
+  lights: 'power',
+};
+
+/** What a picture converges to. */
+export const CONVERGED: Setting = { ...BASE, bounces: 64 };
+
+const FEW = [1, 4, 16] as const;
+const MANY = [...FEW, 64, 256] as const;
+
+const variant = (
+  name: string,
+  knob: Variant['knob'],
+  change: Partial<Setting>,
+  samples: readonly number[] = FEW,
+): Variant => ({ name, knob, setting: { ...BASE, ...change }, samples });
+
+/** The first two are those whose estimates of noise are judged. */
+export const VARIANTS: readonly Variant[] = [
+  variant('path', 'none', {}, MANY),
+  variant('direct, 4 bounces', 'integrator', { integrator: 'direct', bounces: 4 }, MANY),
+  variant('direct, 1 bounce', 'integrator', { integrator: 'direct', bounces: 1 }),
+  variant('direct, 10 bounces', 'integrator', { integrator: 'direct', bounces: 10 }),
+  ...[1, 2, 3, 4, 8, 16, 64].map((bounces) =>
+    variant(`path, ${bounces} bounce${bounces === 1 ? '' : 's'}`, 'bounces', { bounces }),
+  ),
+  variant('roulette from the 2nd surface', 'roulette', { roulette: 1 }),
+  variant('roulette from the 6th surface', 'roulette', { roulette: 5 }),
+  variant('no roulette', 'roulette', { roulette: NEVER }),
+  variant('half the pixels', 'scale', { scale: Math.SQRT1_2 }),
+  variant('a quarter of the pixels', 'scale', { scale: 0.5 }),
+  variant('direct, a quarter of the pixels', 'scale', { integrator: 'direct', bounces: 4, scale: 0.5 }),
+  variant('half-float target', 'target', { target: 'half' }),
+  variant('all lights alike', 'lights', { lights: 'uniform' }),
+];
+
+/** Those that `--quick` measures. */
+export const QUICK_VARIANTS: readonly Variant[] = VARIANTS.slice(0, 2);
