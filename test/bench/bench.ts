@@ -11,7 +11,7 @@ import { type BenchOptions, oneOf, readOptions, USAGE } from './options.ts';
 import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
 import { printMachine, printScenes } from './report.ts';
 import { presetsOf, printPresets } from './trade/presets.ts';
-import { benchTrade, printTrade, readNumbers, writeReport } from './trade/trade.ts';
+import { benchTrade, printCalibration, readNumbers, writeReport } from './trade/trade.ts';
 
 const SCENES = 'examples/scenes';
 
@@ -79,7 +79,7 @@ async function bench({ quick, parts, scene, engine, json }: BenchOptions) {
   };
   if (!parts.includes('trade')) return write(json, result);
   const numbers = await benchTrade(browser, scenes, quick);
-  printTrade(numbers);
+  printCalibration(numbers.calibration);
   return write(json, { ...result, ...numbers });
 }
 

@@ -14,7 +14,7 @@ export interface TradePlan {
   readonly variants: readonly Variant[];
   /** For the picture that all others are held to. */
   readonly convergeMs: number;
-  /** For each setting, but at least two pictures; those whose estimates of noise are judged get more, and three. */
+  /** For each setting, but at least two pictures; those whose estimates of noise are judged get more. */
   readonly settingMs: number;
   readonly judgedMs: number;
   readonly turns: number;
@@ -25,11 +25,11 @@ export interface TradePlan {
 
 export const THOROUGH_TRADE: TradePlan = {
   variants: VARIANTS,
-  convergeMs: 12_000,
+  convergeMs: 8000,
   settingMs: 700,
-  judgedMs: 5000,
+  judgedMs: 4000,
   turns: 5,
-  turnMs: 60,
+  turnMs: 50,
   mostSamples: 256,
 };
 
@@ -82,12 +82,15 @@ export async function measureTrade(
   browser: BenchBrowser,
   scenes: readonly { readonly name: string; readonly scene: string }[],
   plan: TradePlan,
+  done: (name: string, scene: SceneTrade) => void,
 ): Promise<Trade> {
   const trade: { [scene: string]: SceneTrade } = {};
   for (const { name, scene } of scenes) {
     const page = await browser.open();
-    trade[name] = await measureScene(page, scene, plan);
+    const measured = await measureScene(page, scene, plan);
     await page.close();
+    trade[name] = measured;
+    done(name, measured);
   }
   return trade;
 }
@@ -109,7 +112,7 @@ async function measureVariant(page: BenchPage, variant: Variant, judged: boolean
   const { median, spread } = typical(turns);
   const accuracy = await page.execute((task) => trade.measure(task), {
     samples: variant.samples.filter((count) => count <= plan.mostSamples),
-    leastSeeds: judged ? 3 : 2,
+    leastSeeds: 2,
     mostSeeds: 16,
     milliseconds: judged ? plan.judgedMs : plan.settingMs,
   });

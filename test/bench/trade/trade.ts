@@ -9,6 +9,7 @@ import {
   calibrationOf,
   measureTrade,
   QUICK_TRADE,
+  type SceneTrade,
   THOROUGH_TRADE,
   TRADE_PAGE,
   type Trade,
@@ -28,7 +29,7 @@ export async function benchTrade(
   quick: boolean,
 ): Promise<TradeNumbers> {
   const started = await startBrowser(browser, TRADE_PAGE);
-  const trade = await measureTrade(started, scenes, quick ? QUICK_TRADE : THOROUGH_TRADE);
+  const trade = await measureTrade(started, scenes, quick ? QUICK_TRADE : THOROUGH_TRADE, printScene);
   await started.close();
   return { trade, calibration: calibrationOf(trade) };
 }
@@ -36,20 +37,17 @@ export async function benchTrade(
 export const readNumbers = (file: string): TradeNumbers & { readonly machine: Machine } =>
   JSON.parse(readFileSync(file, 'utf8'));
 
-export function printTrade({ trade, calibration }: TradeNumbers): void {
-  for (const [scene, { settings, converged }] of Object.entries(trade)) {
-    console.log(`\n${scene}: held to ${converged.samples} samples with a noise of ${percent(converged.noise)}`);
-    console.log(line(['', 'ms/sample', 'samples', 'noise', 'bias', 'PSNR', 'FLIP', 'first ms', 'compile']));
-    for (const { name, msPerSample, points, bias, firstFrameMs, compileMs } of settings) {
-      const last = points.at(-1) as (typeof points)[number];
-      const accuracy = [last.samples, percent(last.noise), percent(bias), last.psnr.toFixed(1), last.flip.toFixed(3)];
-      console.log(line([name, msPerSample.toFixed(2), ...accuracy, firstFrameMs.toFixed(0), compileMs.toFixed(0)]));
-    }
+function printScene(name: string, { settings, converged }: SceneTrade): void {
+  console.log(`\n${name}: held to ${converged.samples} samples with a noise of ${percent(converged.noise)}`);
+  console.log(line(['', 'ms/sample', 'samples', 'noise', 'bias', 'PSNR', 'FLIP', 'first ms', 'compile']));
+  for (const { name: setting, msPerSample, points, bias, firstFrameMs, compileMs } of settings) {
+    const last = points.at(-1) as (typeof points)[number];
+    const accuracy = [last.samples, percent(last.noise), percent(bias), last.psnr.toFixed(1), last.flip.toFixed(3)];
+    console.log(line([setting, msPerSample.toFixed(2), ...accuracy, firstFrameMs.toFixed(0), compileMs.toFixed(0)]));
   }
-  printCalibration(calibration);
 }
 
-function printCalibration(calibration: readonly Calibration[]): void {
+export function printCalibration(calibration: readonly Calibration[]): void {
   const judged = calibration.filter((row) => row.judged);
   const ratios = judged.map(({ ratio }) => ratio);
   const [least, most] = [Math.min(...ratios).toFixed(2), Math.max(...ratios).toFixed(2)];
