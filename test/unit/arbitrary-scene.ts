@@ -1,6 +1,6 @@
 /** Random scene files for fast-check, made from the table itself: a new field or kind is tested without a word here. */
 import '@ray-scene/core/parts';
-import { camera, type Fields, lights, material, primitives } from '@ray-scene/core';
+import { camera, type Fields, lights, Mismatch, material, primitives } from '@ray-scene/core';
 import fc from 'fast-check';
 
 type Json = { [key: string]: unknown };
@@ -27,7 +27,7 @@ function valueFor({ kind, limits, read }: Fields[string]): fc.Arbitrary<unknown>
     kind === 'number'
       ? fc.double({ min: Math.max(min, -100), max: Math.min(max, 100), noNaN: true }).map(round)
       : byKind[kind as keyof typeof byKind];
-  return values.filter((value) => !(typeof read(value) === 'object' && 'message' in (read(value) as object)));
+  return values.filter((value) => !(read(value) instanceof Mismatch));
 }
 
 /** Any of the fields of a node, each present or not. */

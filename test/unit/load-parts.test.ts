@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { suite, test } from 'node:test';
 // Not the package's index, whose reference tracer knows all shapes from the start.
 import { generateShader } from '../../packages/core/src/generate-shader.ts';
-import { loadColors, loadShaderParts, loadShapes } from '../../packages/core/src/load-parts.ts';
+import { loadShaderParts, loadShapes, loadWords } from '../../packages/core/src/load-parts.ts';
 import { packScene } from '../../packages/core/src/pack-scene.ts';
 import { parseScene } from '../../packages/core/src/parse-scene.ts';
 import { requirements } from '../../packages/core/src/requirements.ts';
@@ -21,7 +21,7 @@ const early = ['black', '#8c3', 'rgb(1 2 3)', 'color(srgb-linear 0 0.1 0)', 'cri
     }
   },
 );
-const loading = loadColors();
+const loading = loadWords();
 await loading;
 
 const example = (name: string): Scene =>
@@ -49,7 +49,7 @@ const demanding = {
 suite('what a page loads', () => {
   test('colours that need no table are read at once, others when the colours of CSS are there', () => {
     assert.ok(loading instanceof Promise);
-    assert.equal(loadColors(), undefined);
+    assert.equal(loadWords(), undefined);
     assert.deepEqual(
       early.filter(([, read]) => read instanceof SceneError).map(([color]) => color),
       ['crimson', 'oklch(0.7 0.1 200)'],

@@ -24,16 +24,16 @@ const GAMUT_ROUNDING = 2 ** -13;
 
 /**
  * Reads a CSS colour: a name, hex, `rgb()`, `hsl()`, `oklch()`, `color(srgb …)` or `color(srgb-linear …)`.
- * Returns linear Rec. 709 in [0, 1]³, what is wrong with it in words, or undefined for what is no colour at all.
+ * Returns linear Rec. 709 in [0, 1]³, what is wrong with it, or undefined for what is no colour at all.
  */
-export function readColor(text: string): Vec3 | string | undefined {
+export function readColor(text: string): Vec3 | 'transparentColor' | 'strongColor' | undefined {
   const color = text.trim().toLowerCase();
   const named = words.names.get(color);
   const read = readHex(named ? `#${named}` : color) ?? readFunction(color);
   if (!read) return undefined;
-  if (read.alpha !== 1) return 'has an alpha; use the opaque colour';
+  if (read.alpha !== 1) return 'transparentColor';
   if (read.linear.some((channel) => !(channel >= -GAMUT_ROUNDING && channel <= 1 + GAMUT_ROUNDING))) {
-    return 'is outside the sRGB gamut';
+    return 'strongColor';
   }
   const [r, g, b] = read.linear.map((channel) => Math.min(1, Math.max(0, channel)));
   return [r as number, g as number, b as number];

@@ -19,9 +19,11 @@ const MORE_FEATURES: ReadonlySet<Feature> = new Set([
   'indexed',
 ]);
 
-/** Loads the colours of CSS, without which a scene may be refused that has nothing wrong; undefined: they are there. */
-export const loadColors = (): Promise<unknown> | undefined =>
-  knowsAllColors() ? undefined : import('./css-colors.ts');
+/**
+ * Loads the colours of CSS, and what to say of a scene. Without them a scene may be refused that has nothing wrong, and
+ * nobody is told why; undefined: they are there.
+ */
+export const loadWords = (): Promise<unknown> | undefined => (knowsAllColors() ? undefined : import('./words.ts'));
 
 /**
  * Loads the shapes of a scene, which can be resolved, packed and traced only after that; undefined: they are all there, as

@@ -1,5 +1,6 @@
 /** How a scene is rendered, as opposed to what it is: the same kind of table as the scene's own. */
-import { choice, Mismatch, number, suggestion, type Values } from './fields.ts';
+import { choice, Mismatch, number, type Values } from './fields.ts';
+import { say } from './say.ts';
 import { SceneError } from './scene-error.ts';
 
 export const settingsFields = {
@@ -67,7 +68,7 @@ export function parseSettings(given: { readonly [name: string]: unknown } = {}):
   const names = fields.map(([name]) => name);
   const problems = Object.keys(given)
     .filter((name) => !names.includes(name))
-    .map((name) => problem(name, `unknown setting "${name}"${suggestion(name, names)}`));
+    .map((name) => problem(name, say('unknownSetting', name, names)));
   const quality = settingsFields.quality.read(given.quality ?? 'balanced');
   const preset: { readonly [name: string]: unknown } = quality instanceof Mismatch ? {} : qualities[quality];
   const values = fields.map(([name, field]) => {
