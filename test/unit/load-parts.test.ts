@@ -34,11 +34,13 @@ const sphere = { type: 'sphere' };
 const simple = {
   'the classic': example('classic'),
   hello: example('hello'),
-  'a ball in the studio': parseScene({ objects: [sphere] }),
-  'an empty scene': parseScene({}),
+  'an empty room with a lamp': parseScene({ lights: [{ type: 'point' }] }),
 };
 
 const demanding = {
+  'a ball in the studio': parseScene({ objects: [sphere] }),
+  'a ball in the sun': parseScene({ lights: [{ type: 'directional' }], objects: [sphere] }),
+  'a ball under a sky': parseScene({ environment: {}, lights: [{ type: 'point' }], objects: [sphere] }),
   'a checkered ball': parseScene({ objects: [{ ...sphere, checker: 'red' }] }),
   'a plane that is not level': parseScene({ objects: [{ type: 'plane', normal: [1, 1, 0] }] }),
   'a camera in a ball': parseScene({ camera: { position: [0, 0, 0.5] }, objects: [sphere] }),

@@ -12,6 +12,7 @@ const MORE_FEATURES: ReadonlySet<Feature> = new Set([
   'sphereChecker',
   'tiltedPlane',
   'turnedChecker',
+  'environment',
   'inside',
   'closeSphere',
   'through',
@@ -40,10 +41,10 @@ export const loadPaths = (scene: ResolvedScene, tracing: Partial<Tracing>): Prom
 
 /** Loads what the shader of a scene is made of, before it can be generated; undefined: it is all there. */
 export const loadShaderParts = (
-  { features }: Requirements,
+  { features, lights }: Requirements,
   { varyings = 0 }: ShaderOptions = {},
 ): Promise<unknown> | undefined =>
-  loadUnless(varyings === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
+  loadUnless(varyings === 0 && lights.directional === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
 
 const loadUnless = (hasAll: boolean): Promise<unknown> | undefined =>
   hasAll || loadedParts() ? undefined : import('./more-parts.ts');

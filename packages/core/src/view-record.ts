@@ -2,9 +2,8 @@
 import type { CameraFrame } from './camera-frame.ts';
 import { powerOfTwoBelow } from './frame.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { rounded } from './split-parts.ts';
 import type { RecordValues } from './std140.ts';
-import { add, length, subtract, scale as times, type Vec3 } from './vector.ts';
+import { add, length, rounded, subtract, scale as times, type Vec3 } from './vector.ts';
 
 /** Rays through the window; see `CameraFrame` and `packEye`. Width and height are the window's, in pixels. */
 export const eyeRecord = [
