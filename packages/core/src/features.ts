@@ -11,11 +11,13 @@ export const features = [
   'falloff',
   'noFalloff',
   ...shapeKinds.map((kind) => `${kind}Checker` as const),
+  ...shapeKinds.map((kind) => `${kind}Map` as const),
   'tiltedPlane',
   'turnedChecker',
   // Derived from the whole scene:
   'mixedFalloff',
   'checker',
+  'map',
   'reflective',
   'highlights',
   'reflections',

@@ -173,6 +173,8 @@ function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean
     has(`${group.kind}Checker`)
       ? `\n    m.color += checkerOdd(${group.kind}Cells(${group.shape}, ${ownPoint(group, 'p')})) * m.checkerStep;`
       : '';
+  const map = ({ kind }: Group): string =>
+    has(`${kind}Map`) ? `\n    mapImage(m, ${kind}Place(unitPoint(m, p)));` : '';
   const asked = (group: Group): string => `${group.shape}, ${fromGlsl(group, 'from.o')}, ${ownDirection(group, 'd')}`;
   const normal = (group: Group): string => {
     const n = `${group.kind}Normal(${asked(group)}, 1.0)`;
@@ -189,14 +191,14 @@ ${forHit(groups, (group) => `front = ${group.kind}Front(${asked(group)});`)}
   return ${closed.map(({ first, count }) => `(object >= ${first} && object < ${first + count})`).join(' || ')};
 }
 `;
-  return `${has('sides') ? frontAt : ''}${has('thin') && has('solid') ? isClosed : ''}vec3 normalAt(Parts scene, From from, vec3 d) {
+  return `${has('map') ? '#include "image-map.glsl"\n' : ''}${has('sides') ? frontAt : ''}${has('thin') && has('solid') ? isClosed : ''}vec3 normalAt(Parts scene, From from, vec3 d) {
   vec3 n;
 ${forHit(groups, (group) => `n = ${normal(group)};`)}
   return n;
 }
 Material materialAt(Parts scene, From from, vec3 p) {
   Material m;
-${forHit(groups, (group) => `m = materials[${group.shape}.material];${checker(group)}`)}
+${forHit(groups, (group) => `m = materials[${group.shape}.material];${checker(group)}${map(group)}`)}
   return m;
 }
 `;

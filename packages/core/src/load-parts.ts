@@ -5,7 +5,7 @@ import { loadedParts, loadedPaths } from './parts.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { followsPaths, type Tracing } from './scene-needs.ts';
-import type { Scene } from './schema.ts';
+import type { Material, Scene, SceneNode } from './schema.ts';
 
 /** What comes with `more-parts.ts`. */
 const MORE_FEATURES: ReadonlySet<Feature> = new Set([
@@ -45,6 +45,13 @@ export const loadShaderParts = (
   { varyings = 0 }: ShaderOptions = {},
 ): Promise<unknown> | undefined =>
   loadUnless(varyings === 0 && lights.directional === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
+
+/** Whether a scene names images, which are to be loaded first. */
+export const namesImages = ({ environment, materials, objects }: Scene): boolean =>
+  !!environment?.src || [...Object.values(materials), ...objects].some(hasMap);
+
+const hasMap = (node: Partial<Material> | SceneNode): boolean =>
+  'objects' in node ? node.objects.some(hasMap) : !!(node as Partial<Material>).map;
 
 const loadUnless = (hasAll: boolean): Promise<unknown> | undefined =>
   hasAll || loadedParts() ? undefined : import('./more-parts.ts');

@@ -15,8 +15,9 @@ export { type Field, type Fields, type Limits, Mismatch, type Values } from './f
 export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
 export { glslFiles } from './glsl-files.ts';
+export { IMAGE_ROW, type ImageAtlas, imageAtlas } from './image-map.ts';
 export { type JsonSchema, sceneJsonSchema } from './json-schema.ts';
-export { loadPaths, loadShaderParts, loadShapes, loadWords } from './load-parts.ts';
+export { loadPaths, loadShaderParts, loadShapes, loadWords, namesImages } from './load-parts.ts';
 export { orbitCamera, panCamera, zoomCamera } from './move-camera.ts';
 export { nearestWord } from './nearest-word.ts';
 export { packingFrame, packScene, packView } from './pack-scene.ts';

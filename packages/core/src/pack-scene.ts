@@ -92,7 +92,7 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const shining = lit?.emitters.map(({ object }) => scene.objects[object ?? -1]?.material) ?? [];
   const material = (index: number) => {
     const one = scene.materials[index] as Material;
-    return { ...packMaterial(one), ...paths?.packMaterial(one, frame.scale, shining.indexOf(index)) };
+    return { ...packMaterial(one), ...paths?.packMaterial(scene, index, frame, shining.indexOf(index)) };
   };
   if (indexed) for (const i of scene.materials.keys()) writer.write('materials', i, material(i));
   let number = 0;

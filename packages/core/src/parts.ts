@@ -15,7 +15,7 @@ import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import type { SceneNeeds } from './scene-needs.ts';
-import type { Material, Scene } from './schema.ts';
+import type { Scene } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 import type { SampleNumber } from './view-record.ts';
 
@@ -53,9 +53,9 @@ export interface PathParts {
   needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
   /** What it needs of all that the nodes bring with them. */
   features(needs: SceneNeeds): ReadonlySet<Feature>;
-  /** What is told of materials, besides the rest. `emitter`: a material's place among the emitters, -1 for none. */
+  /** What is told of the `index`-th material, besides the rest. `emitter`: its place among the emitters, -1 for none. */
   readonly materialRecord: readonly Member[];
-  packMaterial(material: Material, scale: number, emitter: number): RecordValues<readonly Member[]>;
+  packMaterial(scene: ResolvedScene, index: number, frame: Frame, emitter: number): RecordValues<readonly Member[]>;
   /** What the shader is told of the eye besides; `scale`: the scene's in its frame. */
   readonly eyeRecord: readonly Member[];
   packEye(view: CameraFrame, scale: number, sample: SampleNumber): RecordValues<readonly Member[]>;

@@ -1,5 +1,6 @@
 /** The shader files of the integrator `path`, by their names under `shaders/`, beyond those of `glsl-files.ts`. */
 import circle from '../../../shaders/circle.glsl';
+import imageMap from '../../../shaders/image-map.glsl';
 import lens from '../../../shaders/lens.glsl';
 import emitterArea from '../../../shaders/light/emitter/area.glsl';
 import emitterBox from '../../../shaders/light/emitter/box.glsl';
@@ -58,6 +59,7 @@ export const pathFiles: { readonly [file: string]: string } = {
   'light/emitter/sun.glsl': emitterSun,
   'light/emitter/triangle.glsl': emitterTriangle,
   'light/emitters.glsl': emitters,
+  'image-map.glsl': imageMap,
   'light/environment-image.glsl': environmentImage,
   'material/bsdf.glsl': bsdf,
   'material/dielectric.glsl': dielectric,

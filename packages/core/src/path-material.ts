@@ -1,6 +1,9 @@
 /** What the shader of the integrator `path` is told of a material, besides what `material-record.ts` has. */
 import { LARGEST_LENGTH } from './fields.ts';
+import type { Frame } from './frame.ts';
+import { imageMapRecord, packImageMap } from './image-map.ts';
 import { ggxAlpha } from './material-record.ts';
+import type { ResolvedScene } from './resolve-scene.ts';
 import type { Material } from './schema.ts';
 import type { RecordValues } from './std140.ts';
 import { scale as times, type Vec3 } from './vector.ts';
@@ -15,6 +18,7 @@ export const pathMaterialRecord = [
   { name: 'emitter', type: 'int', when: 'emissive' },
   { name: 'shinesInFront', type: 'float', when: 'emissive' },
   { name: 'shinesBehind', type: 'float', when: 'emissive' },
+  ...imageMapRecord,
 ] as const;
 
 /** Per length, what light loses on its way through the inside, as a logarithm; a number even where all is lost. */
@@ -26,22 +30,25 @@ function attenuation({ attenuationColor, attenuationDistance }: Material): Vec3 
 /** More than any way through a scene makes of light. Packed, it is cut to what f32 holds. */
 const BLACKEST = 1e30;
 
-/** `scale`: the scene's in its frame; `emitter`: its place among the emitters, -1 for none. */
+/** Of the `index`-th material; `emitter`: its place among the emitters, -1 for none. */
 export function packPathMaterial(
-  material: Material,
-  scale: number,
+  scene: ResolvedScene,
+  index: number,
+  frame: Frame,
   emitter: number,
 ): RecordValues<typeof pathMaterialRecord> {
+  const material = scene.materials[index] as Material;
   const { emissionSide } = material;
   return {
     alpha: ggxAlpha(material.roughness),
     specular: times(material.specularColor, material.specular),
     transmission: material.transmission,
-    attenuation: attenuation(material).map((x) => Math.min(x / scale, BLACKEST)),
+    attenuation: attenuation(material).map((x) => Math.min(x / frame.scale, BLACKEST)),
     ior: material.ior,
     emission: times(material.emission, material.emissionIntensity),
     emitter,
     shinesInFront: emissionSide === 'back' ? 0 : 1,
     shinesBehind: emissionSide === 'front' ? 0 : 1,
+    ...packImageMap(scene, index, frame),
   };
 }

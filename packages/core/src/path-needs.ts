@@ -2,6 +2,7 @@
 import { emitterFeatures } from './emitter-record.ts';
 import { sceneEmitters } from './emitters.ts';
 import type { Feature } from './features.ts';
+import { mappedKinds } from './image-map.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
 import { hasChecker } from './requirements.ts';
@@ -16,6 +17,7 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
   const transmissive = objects.filter((object) => materialOf(object).transmission > 0);
   const solid = transmissive.filter(({ shape }) => primitiveOf(shape).closed);
   const emissive = materials.filter(isEmissive);
+  const mapped = mappedKinds(scene);
   const facts: { readonly [F in Feature]?: boolean } = {
     rough: materials.some((one) => hasFacets(one) && ggxAlpha(one.roughness) > 0),
     smooth: materials.some((one) => hasFacets(one) && ggxAlpha(one.roughness) === 0),
@@ -26,11 +28,16 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
     attenuation: solid.some((object) => !!materialOf(object).attenuationDistance),
     emissive: emissive.length > 0,
     sides: solid.length > 0 || emissive.length > 0,
+    map: mapped.length > 0,
     lens: !!camera.aperture && camera.type !== 'orthographic',
     orthographic: camera.type === 'orthographic',
   };
   return {
-    features: [...(Object.keys(facts) as Feature[]).filter((feature) => facts[feature]), ...emitterFeatures(emitters)],
+    features: [
+      ...(Object.keys(facts) as Feature[]).filter((feature) => facts[feature]),
+      ...mapped.map((kind) => `${kind}Map` as const),
+      ...emitterFeatures(emitters),
+    ],
     emitters: emitters.length,
   };
 }

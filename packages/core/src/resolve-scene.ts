@@ -33,6 +33,8 @@ export interface ResolvedScene {
   readonly camera: ResolvedCamera;
   readonly environment?: ResolvedEnvironment;
   readonly background: Background;
+  /** Those that were handed in. */
+  readonly images?: EnvironmentImages | undefined;
   /** Those of the author, or of the studio. */
   readonly lights: readonly Light[];
   readonly materials: readonly Material[];
@@ -56,7 +58,7 @@ const studio = {
 
 /**
  * Resolves a scene for a picture whose width is `aspect` times its height. `camera` replaces the scene's own, as
- * camera controls do. Surroundings whose image is not among `images` are dark.
+ * camera controls do. Surroundings whose image is not among `images` are dark, and a `map` that is not changes nothing.
  */
 export function resolveScene(
   scene: Scene,
@@ -79,6 +81,7 @@ export function resolveScene(
   return {
     camera: view,
     ...(environment ? { environment } : {}),
+    images,
     background: scene.background ?? (scene.environment ? 'environment' : 'transparent'),
     lights,
     materials: materials.list,
@@ -165,8 +168,8 @@ class MaterialTable {
     ) as Partial<Material>;
     const given = { ...materialDefaults, ...named, ...own };
     const resolved = { ...given, checkerSize: given.checkerSize * cells };
-    // Every object that shines is a light of its own.
-    if (isEmissive(resolved)) return this.add(resolved);
+    // Every object that shines is a light of its own, and an image lies on each in its own way.
+    if (isEmissive(resolved) || resolved.map) return this.add(resolved);
     const key = JSON.stringify(Object.keys(material.fields).map((name) => resolved[name as keyof Material]));
     const known = this.#indices.get(key) ?? this.add(resolved);
     this.#indices.set(key, known);

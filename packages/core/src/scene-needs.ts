@@ -74,7 +74,7 @@ export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
 export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
   const changed = (feature: Feature): boolean => a.features.has(feature) !== b.features.has(feature);
   // A shader that reads an image needs one.
-  if ((['path', 'whitted', 'imageEmitter'] as const).some(changed)) return b;
+  if ((['path', 'whitted', 'imageEmitter', 'map'] as const).some(changed)) return b;
   const stays = [...a.features].filter((feature) => !feature.startsWith('background') && !views.includes(feature));
   return {
     bounces: b.bounces,
@@ -108,7 +108,7 @@ function isPlain({ camera, environment, lights: nodes, materials }: ResolvedScen
     nodes.every((light) =>
       light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius,
     ) &&
-    materials.every((one) => !one.transmission && !isEmissive(one))
+    materials.every((one) => !one.transmission && !one.map && !isEmissive(one))
   );
 }
 

@@ -147,7 +147,11 @@ export const material = {
       default: 'front',
     }),
     checker: color('Second colour, of the cells where floor(U / size) + floor(V / size) is odd.'),
-    checkerSize: number('Side of a cell, measured along the surface.', { default: 1, above: 0 }),
+    checkerSize: number('Side of a cell, measured along the surface; of an image on a plane.', {
+      default: 1,
+      above: 0,
+    }),
+    map: name('Address of an image over the whole surface, sRGB, that the base colour is multiplied by.', 'an address'),
   },
 } satisfies NodeTable;
 

@@ -2,17 +2,19 @@
 export class Download<T> {
   readonly url: string;
   readonly credentials: RequestCredentials;
+  /** What it makes of the answer. */
+  readonly read: (answer: Response) => Promise<T>;
   /** What has arrived, or why nothing did. */
   result: { readonly value: T } | { readonly problem: string } | undefined;
   readonly #abort = new AbortController();
 
   /**
-   * @param read makes something of the answer.
    * @param done told when there is a result.
    */
   constructor(url: string, credentials: RequestCredentials, read: (answer: Response) => Promise<T>, done: () => void) {
     this.url = url;
     this.credentials = credentials;
+    this.read = read;
     const { signal } = this.#abort;
     fetchGood(url, { credentials, signal })
       .then(read)

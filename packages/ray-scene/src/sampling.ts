@@ -2,9 +2,9 @@
 import { cameraFrame, loadPaths, loadShaderParts, pixelSample, requirementsKey } from '@ray-scene/core';
 import { Accumulation } from './accumulation.ts';
 import { CELL_PIXELS } from './cells.ts';
-import type { EnvironmentTextures } from './environment-textures.ts';
 import { Pace } from './pace.ts';
 import type { RenderDevice } from './render-device.ts';
+import type { SceneTextures } from './scene-textures.ts';
 import { Tracer } from './tracer.ts';
 import type { View } from './view.ts';
 
@@ -27,7 +27,7 @@ export class Sampling {
   /** How often the pixels of a preview are halved. */
   #halvings = 0;
   /** What puts images on the GPU, once a scene has one. */
-  #Textures: typeof EnvironmentTextures | undefined;
+  #Textures: typeof SceneTextures | undefined;
   /** Which revision of the view the samples are of. */
   #drawn = -1;
   /** When the present program began to be compiled, as long as nobody knows that it is. */
@@ -50,7 +50,7 @@ export class Sampling {
     return (
       loadPaths(resolved, settings) ??
       loadShaderParts(this.#view.required, this.#device.shaderOptions) ??
-      (resolved.environment?.kind === 'image' && !this.#Textures ? this.#loadTextures() : undefined)
+      (resolved.images && !this.#Textures ? this.#loadTextures() : undefined)
     );
   }
 
@@ -127,7 +127,7 @@ export class Sampling {
   }
 
   async #loadTextures(): Promise<void> {
-    this.#Textures = (await import('./environment-textures.ts')).EnvironmentTextures;
+    this.#Textures = (await import('./scene-textures.ts')).SceneTextures;
   }
 
   #addTile(accumulation: Accumulation, room: number): number {

@@ -6,18 +6,40 @@ import {
   type Problem,
   readRadianceImage,
   type Scene,
+  type SceneNode,
 } from '@ray-scene/core';
+import { decodeImage } from './decode-image.ts';
 import { Download } from './download.ts';
 import { absolute, type ImageBase, type Reading } from './reading.ts';
 
-/** A place where a scene names an image. */
-interface Wanted {
-  readonly path: Problem['path'];
+/** What a field takes. */
+interface ImageKind {
   readonly field: string;
-  /** What the field takes. */
   readonly what: string;
+  readonly read: (answer: Response) => Promise<EnvironmentImage>;
+}
+
+const SURROUNDINGS: ImageKind = {
+  field: 'src',
+  what: 'a Radiance .hdr image',
+  read: async (answer) => readRadianceImage(new Uint8Array(await answer.arrayBuffer())),
+};
+
+const MAP: ImageKind = {
+  field: 'map',
+  what: 'an image',
+  read: async (answer) => decodeImage(await answer.blob()),
+};
+
+/** A place where a scene names an image. */
+interface Named {
+  readonly path: Problem['path'];
+  readonly kind: ImageKind;
   /** As the author wrote it. */
   readonly address: string;
+}
+
+interface Wanted extends Named {
   readonly download: Download<EnvironmentImage>;
 }
 
@@ -53,24 +75,43 @@ export class SceneImages {
     this.#downloads = this.#downloads.filter(({ result }) => result);
   }
 
-  #wanted({ environment }: Scene, base: ImageBase): readonly Wanted[] {
-    const address = environment?.src;
-    if (!address) return [];
-    const download = this.#download(address, base);
-    return [{ path: ['environment'], field: 'src', what: 'a Radiance .hdr image', address, download }];
-  }
-
-  #download(address: string, { url: base, credentials }: ImageBase): Download<EnvironmentImage> {
-    const url = absolute(address, base);
-    const present = this.#downloads.find((one) => one.url === url && one.credentials === credentials);
-    return present ?? new Download(url, credentials, readImage, this.#changed);
+  /** An image that is named twice is asked for once. */
+  #wanted(scene: Scene, base: ImageBase): readonly Wanted[] {
+    const wanted: Wanted[] = [];
+    for (const named of namedImages(scene)) {
+      const url = absolute(named.address, base.url);
+      const isWanted = (one: Download<EnvironmentImage>): boolean =>
+        one.url === url && one.credentials === base.credentials && one.read === named.kind.read;
+      const present = [...this.#downloads, ...wanted.map(({ download }) => download)].find(isWanted);
+      const download = present ?? new Download(url, base.credentials, named.kind.read, this.#changed);
+      wanted.push({ ...named, download });
+    }
+    return wanted;
   }
 }
 
-const readImage = async (answer: Response): Promise<EnvironmentImage> =>
-  readRadianceImage(new Uint8Array(await answer.arrayBuffer()));
+/** Where a scene names images, and which. */
+function namedImages({ environment, materials, objects }: Scene): readonly Named[] {
+  const src = environment?.src;
+  return [
+    ...(src ? [{ path: ['environment'], kind: SURROUNDINGS, address: src }] : []),
+    ...Object.entries(materials).flatMap(([name, { map }]) => mapAt(['materials', name], map)),
+    ...mapsOf(objects, ['objects']),
+  ];
+}
 
-function problemOf({ path, field, what, address, download }: Wanted, locate: Locate = jsonPath): readonly Problem[] {
+const mapsOf = (nodes: readonly SceneNode[], path: Problem['path']): readonly Named[] =>
+  nodes.flatMap((node, i) =>
+    node.type === 'group' ? mapsOf(node.objects, [...path, i, 'objects']) : mapAt([...path, i], node.map),
+  );
+
+const mapAt = (path: Problem['path'], address: string | undefined): readonly Named[] =>
+  address ? [{ path, kind: MAP, address }] : [];
+
+function problemOf(
+  { path, kind: { field, what }, address, download }: Wanted,
+  locate: Locate = jsonPath,
+): readonly Problem[] {
   const { url, result } = download;
   if (!result || 'value' in result) return [];
   const message = `${field} must be the address of ${what}, not "${address}": ${url} ${result.problem}`;

@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
-import { jsonPath, type Scene, type SourceWords, say } from '@ray-scene/core';
+import { jsonPath, namesImages, type Scene, type SourceWords, say } from '@ray-scene/core';
 import { Download } from './download.ts';
 import { isSceneMarkup, readMarkup } from './read-markup.ts';
 import { absolute, judge, type Reading } from './reading.ts';
@@ -69,7 +69,7 @@ export class SceneSource implements ReactiveController {
     if (!this.#stale) return undefined;
     this.#stale = false;
     const reading = this.#read();
-    const whole = reading?.scene?.environment?.src ? this.#withImages(reading, reading.scene) : reading;
+    const whole = reading?.scene && namesImages(reading.scene) ? this.#withImages(reading, reading.scene) : reading;
     this.#waits = !whole;
     return whole;
   }

@@ -12,9 +12,9 @@ import {
   type SampleNumber,
   type ShaderOptions,
 } from '@ray-scene/core';
-import type { EnvironmentTextures } from './environment-textures.ts';
 import { blockBindings, type Program } from './program.ts';
 import type { ProgramCache } from './program-cache.ts';
+import type { SceneTextures } from './scene-textures.ts';
 
 export class Tracer {
   readonly key: string;
@@ -24,7 +24,7 @@ export class Tracer {
   readonly #program: Program;
   readonly #scene: UniformBlock;
   readonly #view: UniformBlock;
-  #textures: EnvironmentTextures | undefined;
+  #textures: SceneTextures | undefined;
   #frame = { scale: 1 };
 
   /** @throws {Error} when the scene has more in it than the GPU takes. */
@@ -51,9 +51,9 @@ export class Tracer {
 
   /**
    * Takes the numbers of a scene, seen from its camera. It must require no more than this tracer has.
-   * @param Textures needed where the surroundings are an image.
+   * @param Textures needed where the scene has images.
    */
-  setScene(scene: ResolvedScene, Textures?: typeof EnvironmentTextures): void {
+  setScene(scene: ResolvedScene, Textures?: typeof SceneTextures): void {
     this.#frame = packingFrame(scene);
     this.#scene.write(packScene(scene, this.#required, this.#scene.layout));
     this.#textures = Textures?.of(scene, this.#gl, this.#textures);

@@ -2,6 +2,7 @@
 import type { ResolvedScene } from '../resolve-scene.ts';
 import type { Material } from '../schema.ts';
 import { addScaled, dot, negate, type Vec3 } from '../vector.ts';
+import { mapped } from './image-map.ts';
 import type { Hit } from './nearest.ts';
 import type { Ray } from './ray.ts';
 import { tracedShape } from './shape/index.ts';
@@ -23,13 +24,14 @@ export function surfaceAt(scene: ResolvedScene, ray: Ray, { object, t }: Hit): S
   const material = scene.materials[index] as Material;
   const position = addScaled(ray.origin, ray.direction, t);
   const outward = tracedShape(shape).normal(shape, position);
+  const base = material.checker ? checkered(material, tracedShape(shape).lengths(shape, position)) : material.color;
   const front = dot(outward, ray.direction) <= 0;
   return {
     object,
     position,
     normal: front ? outward : negate(outward),
     front,
-    color: material.checker ? checkered(material, tracedShape(shape).lengths(shape, position)) : material.color,
+    color: mapped(scene, object, position, base),
     material,
   };
 }
