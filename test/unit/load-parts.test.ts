@@ -12,7 +12,7 @@ import { SceneError } from '../../packages/core/src/scene-error.ts';
 import type { Scene } from '../../packages/core/src/schema.ts';
 
 /** What is parsed of a colour before those of CSS are loaded. */
-const early = ['black', '#8c3', 'rgb(1 2 3)', 'color(srgb-linear 0 0.1 0)', 'crimson', 'oklch(0.7 0.1 200)'].map(
+const early = ['black', '#8c3', 'color(srgb-linear 0 0.1 0)', 'rgb(1 2 3)', 'crimson', 'oklch(0.7 0.1 200)'].map(
   (color) => {
     try {
       return [color, parseScene({ background: color }).background] as const;
@@ -54,7 +54,7 @@ suite('what a page loads', () => {
     assert.equal(loadWords(), undefined);
     assert.deepEqual(
       early.filter(([, read]) => read instanceof SceneError).map(([color]) => color),
-      ['crimson', 'oklch(0.7 0.1 200)'],
+      ['rgb(1 2 3)', 'crimson', 'oklch(0.7 0.1 200)'],
     );
     for (const [color, read] of early) {
       const { background } = parseScene({ background: color });
