@@ -20,7 +20,7 @@ const fov = (2 * Math.atan(2 / DISTANCE) * 180) / Math.PI;
 
 const above = fc
   .tuple(...([-1, 0.2, -1] as const).map((min) => fc.double({ min, max: 1, noNaN: true })))
-  .map((direction) => normalize(direction as Vec3));
+  .map((direction) => normalize(direction as unknown as Vec3));
 
 test('what a far camera sees is behind where its rays start, and not far behind', () => {
   fc.assert(
