@@ -88,7 +88,7 @@ vec4 path() {
 #else
   cameraRay(p, d);
 #endif
-#if defined(LENS) || defined(ORTHOGRAPHIC)
+#if defined(LENS) || defined(DISTANT)
   From from = fromPoint(scene, p, NOTHING);
 #else
   From from = fromCamera(scene);

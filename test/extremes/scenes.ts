@@ -35,6 +35,13 @@ const planet = sphere([0, -6371000, 0], 6371000, { color: '#8a9a6b', roughness: 
 const shells = (count: number): readonly Json[] =>
   Array.from({ length: count }, (_, i) => sphere([0, 0, 0], 1 - i * 1e-6, { color: rainbow(i), roughness: 0.3 }));
 
+/** From 10 million units away, through a lens that shows 4 units. */
+const fromAfar = (direction: readonly number[], objects: readonly Json[]): Json => ({
+  ...still,
+  camera: { position: direction.map((x) => x * 1e7), target: [0, 0.5, 0], fov: (2 * Math.atan(2e-7) * 180) / Math.PI },
+  objects,
+});
+
 /** By name. */
 export const extremes: { readonly [name: string]: Json } = {
   'a ball and its shadow on a planet': {
@@ -74,6 +81,12 @@ export const extremes: { readonly [name: string]: Json } = {
   },
   'nanometres, in metres': scaleScene(still, 1e-9),
   'light-years, in metres': scaleScene(still, 9.4607304725808e15),
+  'a narrow lens 10 million units away': fromAfar([0.2, 0.35, 1], (still.objects as readonly Json[]).slice(1)),
+  'a narrow lens 10 million units above a floor': fromAfar([0.2, 0.35, 1], still.objects as readonly Json[]),
+  'a narrow lens 10 million units away, two balls': fromAfar(
+    [0, 0.1, 1],
+    [sphere([-0.7, 0.5, 0], 0.8, { color: 'crimson' }), sphere([0.8, 0.5, 0.3], 0.7, { material: 'silver' })],
+  ),
   'a light inside a ball, from outside': {
     camera: { position: [0, 1, 5] },
     lights: [{ ...lamp, position: [0.2, 0, 0.1], intensity: 5 }],

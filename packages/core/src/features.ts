@@ -45,7 +45,8 @@ export const features = [
   'depth',
   'albedo',
   'lens',
-  'orthographic',
+  // Rays start in a plane ahead of the camera: they are parallel, or nearly.
+  'distant',
   // What can be asked for light:
   'pointEmitter',
   'spotEmitter',

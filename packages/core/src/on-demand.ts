@@ -12,6 +12,7 @@ export {
 export { type EnvironmentImage, imageTable } from './environment-image.ts';
 export { type Feature, features } from './features.ts';
 export { type Field, type Fields, type Limits, Mismatch, type Values } from './fields.ts';
+export type { Frame } from './frame.ts';
 export { frameObjects } from './frame-objects.ts';
 export { generateShader, type ShaderOptions, type ShaderSource } from './generate-shader.ts';
 export { glslFiles } from './glsl-files.ts';

@@ -17,6 +17,7 @@ import type { ResolvedScene } from './resolve-scene.ts';
 import type { SceneNeeds } from './scene-needs.ts';
 import type { Scene } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
+import type { Vec3 } from './vector.ts';
 import type { SampleNumber } from './view-record.ts';
 
 type AnyPrimitive = Primitive<Fields, readonly Member[]>;
@@ -56,9 +57,11 @@ export interface PathParts {
   /** What is told of the `index`-th material, besides the rest. `emitter`: its place among the emitters, -1 for none. */
   readonly materialRecord: readonly Member[];
   packMaterial(scene: ResolvedScene, index: number, frame: Frame, emitter: number): RecordValues<readonly Member[]>;
-  /** What the shader is told of the eye besides; `scale`: the scene's in its frame. */
+  /** The origin of the space that the scene is packed in. */
+  origin(scene: ResolvedScene): Vec3;
+  /** What the shader is told of the eye besides, or instead. */
   readonly eyeRecord: readonly Member[];
-  packEye(view: CameraFrame, scale: number, sample: SampleNumber): RecordValues<readonly Member[]>;
+  packEye(view: CameraFrame, frame: Frame, sample: SampleNumber): RecordValues<readonly Member[]>;
   /** What the block `Scene` holds of so many emitters. */
   emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[];
   /** The part of a shader that tells kinds of emitters apart. */

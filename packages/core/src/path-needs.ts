@@ -5,6 +5,7 @@ import type { Feature } from './features.ts';
 import { mappedKinds } from './image-map.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
+import { rayStart } from './ray-start.ts';
 import { hasChecker } from './requirements.ts';
 import { isEmissive, type ResolvedObject, type ResolvedScene } from './resolve-scene.ts';
 import type { SceneNeeds } from './scene-needs.ts';
@@ -30,7 +31,7 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
     sides: solid.length > 0 || emissive.length > 0,
     map: mapped.length > 0,
     lens: !!camera.aperture && camera.type !== 'orthographic',
-    orthographic: camera.type === 'orthographic',
+    distant: camera.type === 'orthographic' || rayStart(scene) > 0,
   };
   return {
     features: [
@@ -68,6 +69,6 @@ export function pathFeatures({ bounces, shapes, placed, emitters, features: give
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
   set('tiltedPlane', has('tiltedPlane') && shapes.plane + placed.plane > 0);
-  set('exactRays', has('exactRays') && !has('orthographic'));
+  set('exactRays', has('exactRays') && !has('distant'));
   return present;
 }

@@ -25,12 +25,8 @@ export interface SampleNumber {
 
 type Halves = readonly [high: Vec3, low: Vec3];
 
-/**
- * What the vectors are multiplied by: where rays all start at one point, their length does not matter. `scale`: the
- * scene's in its frame.
- */
-export const eyeUnit = ({ orthographic, corner }: CameraFrame, scale: number): number =>
-  orthographic ? scale : 0.125 / powerOfTwoBelow(length(corner));
+/** What the vectors are multiplied by: where rays all start at one point, their length does not matter. */
+export const eyeUnit = ({ corner }: CameraFrame): number => 0.125 / powerOfTwoBelow(length(corner));
 
 /**
  * In f32, a ray towards the horizon loses the digits of its slope, the small difference of a corner and many steps. With
@@ -38,9 +34,9 @@ export const eyeUnit = ({ orthographic, corner }: CameraFrame, scale: number): n
  * 2^-23; they are below 2, up to which f32 holds those, since the corner is shorter than 1/4, and the window's sides are
  * not longer than twice the way to it.
  */
-export function packEye(frame: CameraFrame, unit: number, exact: boolean): RecordValues<typeof eyeRecord> {
+export function packEye(frame: CameraFrame, exact: boolean): RecordValues<typeof eyeRecord> {
   const [corner, stepX, stepY] = [frame.corner, frame.stepX, frame.stepY].map((v) => {
-    const whole = times(v, unit);
+    const whole = times(v, eyeUnit(frame));
     const high = exact ? rounded(whole, 22) : whole;
     return [high, subtract(whole, high)];
   }) as unknown as readonly [Halves, Halves, Halves];
