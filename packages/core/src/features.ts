@@ -60,6 +60,8 @@ export const features = [
   'cylinderEmitter',
   'imageEmitter',
   'severalEmitters',
+  // One that a ray may meet by chance, too.
+  'areaEmitter',
   // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
   'steadyEmitter',
   'aimedBall',
