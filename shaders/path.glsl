@@ -97,6 +97,10 @@ vec4 path() {
 #endif
   vec3 radiance = vec3(0.0);
   vec3 throughput = vec3(1.0);
+#ifdef CLAMP
+  // What shines where the camera sees it.
+  vec3 seen = vec3(0.0);
+#endif
 #ifdef AREA_EMITTER
   // Where the ray under way was scattered, and its pdf; 0 where no light could have been asked for it.
   float scatteredPdf = 0.0;
@@ -152,6 +156,12 @@ vec4 path() {
 #else
       radiance += (shines * throughput) * m.emission;
 #endif
+    }
+#endif
+#ifdef CLAMP
+    if (event == 0) {
+      seen = radiance;
+      radiance = vec3(0.0);
     }
 #endif
     if (event == BOUNCES) break;
@@ -220,5 +230,10 @@ vec4 path() {
     d = toWorld(frame, onward.wi);
     d /= sqrt(dotInOrder(d, d));
   }
+#ifdef CLAMP
+  // Dimmed, not cut channel by channel: its colour stays.
+  radiance *= min(eye.mostRadiance / max(max(max(radiance.r, radiance.g), radiance.b), SMALLEST), 1.0);
+  radiance += seen;
+#endif
   return vec4(min(radiance, vec3(LARGEST)), 1.0);
 }

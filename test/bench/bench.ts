@@ -2,7 +2,7 @@
  * `npm run bench -- [--quick] [--scene NAME] [--engine chromium|firefox|webkit] [--json FILE]`: how long it takes to the
  * first picture of each example scene, and for each further sample; and the same for shaders of the same scenes that
  * were written by hand (`floors/NAME.frag`). With `--primitives` instead: a sample of shapes of each kind, by the engine's
- * formulas and by those of textbooks.
+ * formulas and by those of textbooks. With `--convergence`: how fast the noise of paths goes down.
  */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { parse } from 'node:path';
@@ -10,8 +10,10 @@ import { parseArgs } from 'node:util';
 import { parseSettings, type RenderSettings } from '@ray-scene/core';
 import { type Browser, ENGINES, findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
+import { Gpu } from '../truth/gpu-side.ts';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
+import { type Convergence, measureConvergence, printConvergence } from './convergence.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
 import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
 import { printReport } from './report.ts';
@@ -33,6 +35,7 @@ const { values: options } = parseArgs({
     engine: { type: 'string', default: 'chromium' },
     json: { type: 'string' },
     primitives: { type: 'boolean', default: false },
+    convergence: { type: 'boolean', default: false },
   },
 });
 
@@ -91,7 +94,18 @@ async function benchPrimitives(browser: Browser, plan: Plan) {
   return { machine, plan, primitives };
 }
 
+async function benchConvergence(browser: Browser) {
+  const machine = await describeMachine(() => startBrowser(browser));
+  const gpu = await Gpu.start(browser.engine);
+  const convergence: { [scene: string]: Convergence } = {};
+  for (const { name, scene } of scenesToBench()) convergence[name] = await measureConvergence(gpu, scene);
+  await gpu.close();
+  printConvergence(convergence);
+  return { machine, convergence };
+}
+
 const browser = await wantedBrowser();
 const plan = options.quick ? QUICK : THOROUGH;
-const result = await (options.primitives ? benchPrimitives : benchScenes)(browser, plan);
+const part = options.primitives ? benchPrimitives : options.convergence ? benchConvergence : benchScenes;
+const result = await part(browser, plan);
 if (options.json) writeFileSync(options.json, `${JSON.stringify(result, null, 2)}\n`);

@@ -23,7 +23,7 @@ const plain = { camera, lights: [lamp], objects: [ball] };
 const withBall = (more: object): object => ({ ...plain, objects: [{ ...ball, ...more }] });
 const withObject = (object: object): object => ({ ...plain, objects: [ball, { specular: 0, ...object }] });
 
-type Settings = Partial<Pick<RenderSettings, 'bounces' | 'integrator' | 'output'>>;
+type Settings = Partial<Pick<RenderSettings, 'bounces' | 'integrator' | 'output' | 'clamp'>>;
 
 interface Row {
   readonly scene: object;
@@ -107,6 +107,7 @@ const rows: { readonly [what: string]: Row } = {
   'a lens': { scene: { ...plain, camera: { ...camera, aperture: 0.1 } }, holds: ['eye.lensX'] },
   'parallel rays of the camera': { scene: { ...plain, camera: { ...camera, type: 'orthographic' } }, holds: [] },
   'more events than roulette waits for': { scene: plain, settings: { bounces: 8 }, holds: ['ROULETTE_FROM'] },
+  'a clamp': { scene: plain, settings: { clamp: 10 }, holds: ['mostRadiance'] },
   'another ball in a stretched group': {
     scene: withObject({ type: 'group', scale: [1, 2, 1], objects: [ball] }),
     holds: ['placedDirection'],

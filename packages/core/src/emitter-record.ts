@@ -56,10 +56,10 @@ type Values = RecordValues<typeof emitterRecord>;
 export const presentEmitters = (features: readonly Feature[]): readonly EmitterKind[] =>
   emitterKinds.filter((kind) => features.includes(`${kind}Emitter`));
 
-/** The features that emitters bring with them, but for `severalEmitters`, which follows from their number. */
 /** Kinds that no ray meets by chance. */
 export const POINTS: readonly EmitterKind[] = ['point', 'spot', 'directional'];
 
+/** The features that emitters bring with them, but for `severalEmitters`, which follows from their number. */
 export function emitterFeatures(emitters: readonly Emitter[]): readonly Feature[] {
   const kinds = emitterKinds.filter((one) => emitters.some(({ kind }) => kind === one));
   const is = (feature: Feature, test: (emitter: Emitter) => boolean): readonly Feature[] =>

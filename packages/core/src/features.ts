@@ -40,6 +40,7 @@ export const features = [
   'emissive',
   'sides',
   'roulette',
+  'clamp',
   // What is shown of the first surface, in place of its light:
   'normal',
   'depth',

@@ -14,7 +14,7 @@ import type { Primitive } from './primitives/primitive.ts';
 import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import type { SceneNeeds } from './scene-needs.ts';
+import type { SceneNeeds, Tracing } from './scene-needs.ts';
 import type { Scene } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
 import type { Vec3 } from './vector.ts';
@@ -51,7 +51,7 @@ export interface PathParts {
   /** Shader files by name. */
   readonly files: { readonly [file: string]: string };
   /** What the integrator asks of a scene, beyond what its nodes say by themselves. */
-  needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
+  needs(scene: ResolvedScene, tracing: Tracing): { readonly features: readonly Feature[]; readonly emitters: number };
   /** What it needs of all that the nodes bring with them. */
   features(needs: SceneNeeds): ReadonlySet<Feature>;
   /** What is told of the `index`-th material, besides the rest. `emitter`: its place among the emitters, -1 for none. */

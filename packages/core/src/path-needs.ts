@@ -8,10 +8,13 @@ import { primitiveOf } from './parts.ts';
 import { rayStart } from './ray-start.ts';
 import { hasChecker } from './requirements.ts';
 import { isEmissive, type ResolvedObject, type ResolvedScene } from './resolve-scene.ts';
-import type { SceneNeeds } from './scene-needs.ts';
+import type { SceneNeeds, Tracing } from './scene-needs.ts';
 import type { Material } from './schema.ts';
 
-export function pathNeeds(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number } {
+export function pathNeeds(
+  scene: ResolvedScene,
+  { clamp }: Partial<Tracing> = {},
+): { readonly features: readonly Feature[]; readonly emitters: number } {
   const { camera, materials, objects, around } = scene;
   const emitters = sceneEmitters(scene);
   const materialOf = ({ material }: ResolvedObject): Material => materials[material] as Material;
@@ -30,6 +33,7 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
     emissive: emissive.length > 0,
     sides: solid.length > 0 || emissive.length > 0,
     map: mapped.length > 0,
+    clamp: clamp !== undefined,
     lens: !!camera.aperture && camera.type !== 'orthographic',
     distant: camera.type === 'orthographic' || rayStart(scene) > 0,
   };

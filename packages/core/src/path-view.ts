@@ -14,16 +14,20 @@ export const pathEyeRecord = [
   { name: 'focus', type: 'float', when: 'LENS' },
   { name: 'lensY', type: 'vec3', when: 'LENS' },
   { name: 'toFocus', type: 'float', when: 'DEPTH' },
+  { name: 'mostRadiance', type: 'float', when: 'CLAMP' },
   { name: 'sequence', type: 'uint' },
   { name: 'reversed', type: 'uint' },
 ] as const;
+
+/** No limit; also a number in f32. */
+const LARGEST = 1e30;
 
 const NOWHERE: Vec3 = [0, 0, 0];
 
 export function packPathEye(
   view: CameraFrame,
   { origin, scale }: Frame,
-  { sample, seed }: SampleNumber,
+  { sample, seed, clamp = LARGEST }: SampleNumber,
 ): RecordValues<typeof pathEyeRecord> {
   const { forward, focus, lens = [NOWHERE, NOWHERE] } = view;
   const toStart = dot(forward, subtract(origin, view.origin));
@@ -36,6 +40,7 @@ export function packPathEye(
     focus: (focus * scale) / eyeUnit(view),
     lensY: times(lens[1], scale),
     toFocus: focus * scale,
+    mostRadiance: Math.min(clamp, LARGEST),
     sequence: sequenceSeed(sample, seed),
     reversed: reverseBits(sample >>> 1),
   };

@@ -12,7 +12,8 @@ import type { RenderSettings } from './settings.ts';
 import { length, subtract, type Vec3 } from './vector.ts';
 
 /** How light is followed: what of the settings bears on the shader. */
-export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator' | 'output'>>;
+export type Tracing = Pick<RenderSettings, 'bounces'> &
+  Partial<Pick<RenderSettings, 'integrator' | 'output' | 'clamp'>>;
 
 export interface SceneNeeds {
   /** The most surfaces that a ray meets. */
@@ -32,7 +33,7 @@ export interface SceneNeeds {
 /** The needs of a scene, when rays may meet up to `bounces` surfaces. */
 export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
   const { bounces, integrator, output } = tracing;
-  const paths = followsPaths(scene, tracing) ? pathParts().needs(scene) : undefined;
+  const paths = followsPaths(scene, tracing) ? pathParts().needs(scene, tracing) : undefined;
   const { environment, background } = scene;
   const isImage = environment?.kind === 'image';
   const isShown = background === 'environment';

@@ -37,6 +37,9 @@ export const settingsFields = {
     max: 1000,
   }),
   pixelRatio: number('Device pixels per CSS pixel; default: those of the screen.', { above: 0, max: 16 }),
+  clamp: number('Radiance above which a sample of a path is dimmed, but for what is seen itself; none: no bias.', {
+    above: 0,
+  }),
   exposure: number('Linear factor on the radiance before tone mapping.', { default: 1, min: 0 }),
   toneMapping: choice('neutral: Khronos PBR Neutral; none: clipped. Both then encode sRGB.', ['neutral', 'none'], {
     default: 'neutral',

@@ -21,6 +21,8 @@ export const eyeRecord = [
 export interface SampleNumber {
   readonly sample: number;
   readonly seed: number;
+  /** Radiance above which samples are dimmed. */
+  readonly clamp?: number | undefined;
 }
 
 type Halves = readonly [high: Vec3, low: Vec3];

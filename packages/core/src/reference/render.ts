@@ -37,9 +37,9 @@ export interface ReferenceImage {
  */
 export function renderReference(scene: Scene, settings: ReferenceSettings): ReferenceImage {
   const { width, height, images, nudge = [0, 0, 0], ...rest } = settings;
-  const { samples, seed, bounces, integrator, output } = parseSettings(rest);
+  const { samples, seed, bounces, integrator, output, clamp } = parseSettings(rest);
   const resolved = resolveScene(scene, width / height, undefined, images);
-  const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator) : undefined;
+  const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator, clamp) : undefined;
   const ahead = rayStart(resolved);
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
