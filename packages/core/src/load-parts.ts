@@ -1,6 +1,6 @@
 import { knowsAllColors } from './color.ts';
 import type { Feature } from './features.ts';
-import type { ShaderOptions } from './generate-shader.ts';
+import { glslName, type ShaderOptions } from './generate-shader.ts';
 import { loadedParts, loadedPaths } from './parts.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
@@ -9,16 +9,26 @@ import type { Material, Scene, SceneNode } from './schema.ts';
 
 /** What comes with `more-parts.ts`. */
 const MORE_FEATURES: ReadonlySet<Feature> = new Set([
+  'metal',
+  'specularTint',
+  'specularWeight',
+  'mixedFalloff',
   'sphereChecker',
   'tiltedPlane',
   'turnedChecker',
   'environment',
+  'gradient',
+  'backgroundEnvironment',
   'inside',
   'closeSphere',
   'through',
   'wideRange',
   'indexed',
+  'exactRays',
 ]);
+
+/** What GLSL asks for that is defined only where `more-parts.ts` is there. */
+export const moreNames: readonly string[] = [...[...MORE_FEATURES].map(glslName), 'DIRECTIONAL_LIGHTS', 'VARYINGS'];
 
 /**
  * Loads the colours of CSS, and what to say of a scene. Without them a scene may be refused that has nothing wrong, and

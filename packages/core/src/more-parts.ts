@@ -34,6 +34,7 @@ import { quad } from './primitives/quad-shape.ts';
 import { torus } from './primitives/torus-shape.ts';
 import { triangle } from './primitives/triangle-shape.ts';
 import { structFromRows, varyingRows } from './varying-rows.ts';
+import { wholeFiles } from './whole-files.ts';
 
 const shapes = {
   sphere: anySphere,
@@ -50,6 +51,7 @@ const shapes = {
 registerParts({
   shapes,
   files: {
+    ...wholeFiles,
     'arc-tangent.glsl': arcTangent,
     'light/directional.glsl': directionalLight,
     'light/environment.glsl': environment,
