@@ -28,6 +28,8 @@ export const THREE_GPU_PATHTRACER = [0.315, 0.065, 0.046, 0.0076] as const;
 export interface Convergence {
   /** By the counts of `samples`. */
   readonly relMse: readonly number[];
+  /** The same without the thousandth of the pixels' channels that is off most: what is left without rare bright specks. */
+  readonly withoutSpecks: readonly number[];
   readonly samples: readonly number[];
   /** Of log relMSE over log samples, by least squares: -1 is what independent samples have. */
   readonly slope: number;
@@ -39,28 +41,33 @@ export async function measureConvergence(gpu: Gpu, scene: string): Promise<Conve
   // What is off in one of them is not off in the other: the mean of the product of differences from both is no larger for it.
   const [a, b] = [await gpu.samples(1, CONVERGED), await gpu.samples(2, CONVERGED)];
   const relMse: number[] = [];
+  const withoutSpecks: number[] = [];
   let seed = 3;
   for (const [samples, pictures] of STEPS) {
-    let sum = 0;
-    for (let i = 0; i < pictures; i++) sum += relativeSquare(await gpu.samples(seed++, samples), a, b);
-    relMse.push(sum / pictures);
+    let [all, most] = [0, 0];
+    for (let i = 0; i < pictures; i++) {
+      const squares = relativeSquares(await gpu.samples(seed++, samples), a, b);
+      all += mean(squares) / pictures;
+      most += mean(squares.sort().subarray(0, Math.floor(0.999 * squares.length))) / pictures;
+    }
+    relMse.push(all);
+    withoutSpecks.push(most);
   }
   const samples = STEPS.map(([count]) => count);
-  return { samples, relMse, slope: slopeOf(samples.map(Math.log), relMse.map(Math.log)) };
+  return { samples, relMse, withoutSpecks, slope: slopeOf(samples.map(Math.log), relMse.map(Math.log)) };
 }
 
-/** The mean over pixels and channels of the squared difference over the square of what is right, and a bit. */
-function relativeSquare(picture: Float64Array, a: Float64Array, b: Float64Array): number {
-  let sum = 0;
-  picture.forEach((value, i) => {
+/** Of every pixel and channel the squared difference over the square of what is right, and a bit. */
+const relativeSquares = (picture: Float64Array, a: Float64Array, b: Float64Array): Float64Array =>
+  picture.map((value, i) => {
     const [x, y] = [a[i] as number, b[i] as number];
-    sum += ((value - x) * (value - y)) / (((x + y) / 2) ** 2 + EPSILON);
+    return ((value - x) * (value - y)) / (((x + y) / 2) ** 2 + EPSILON);
   });
-  return sum / picture.length;
-}
+
+const mean = (values: ArrayLike<number>): number =>
+  Array.from(values).reduce((sum, value) => sum + value, 0) / values.length;
 
 function slopeOf(x: readonly number[], y: readonly number[]): number {
-  const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x0, y0] = [mean(x), mean(y)];
   return mean(x.map((value, i) => (value - x0) * ((y[i] as number) - y0))) / mean(x.map((value) => (value - x0) ** 2));
 }
@@ -70,8 +77,9 @@ export function printConvergence(scenes: { readonly [scene: string]: Convergence
   console.log(
     `\nrelMSE of ${SIZE} × ${SIZE} pixels by samples per pixel, integrator path\n${''.padEnd(24)}${counts}      slope`,
   );
-  for (const [name, { relMse, slope }] of Object.entries(scenes)) {
+  for (const [name, { relMse, withoutSpecks, slope }] of Object.entries(scenes)) {
     console.log(`${row(name, relMse)}${slope.toFixed(2).padStart(11)}`);
+    console.log(row('  without specks', withoutSpecks));
     if (name === 'classic') console.log(row('  three-gpu-pathtracer', THREE_GPU_PATHTRACER));
   }
 }

@@ -115,4 +115,37 @@ export const extremes: { readonly [name: string]: Json } = {
       sphere([0.9 * i - 2.7, 0, 0], 0.4, { roughness, metalness: i % 2, color: rainbow(i) }),
     ),
   },
+  'a hundred coincident spheres': {
+    camera: { position: [0.5, 1, 4] },
+    lights: [lamp, sun],
+    objects: Array.from({ length: 100 }, (_, i) => sphere([0.1, 0.2, 0.3], 1.1, { color: rainbow(i) })),
+  },
+  'a hundred coincident planes': {
+    camera: { position: [0.5, 1, 4] },
+    lights: [lamp, sun],
+    objects: Array.from({ length: 100 }, (_, i) => ({ type: 'plane', point: [0, -0.3, 0], color: rainbow(i) })),
+  },
+  'coincident shapes of each kind, twenty times': {
+    ...still,
+    objects: Array.from({ length: 20 }, (_, i) =>
+      (still.objects as readonly Json[]).map((object) => ({ ...object, color: rainbow(i), metalness: 0 })),
+    ).flat(),
+  },
+  'shapes of each kind in stretched groups, twenty times': {
+    ...still,
+    objects: Array.from({ length: 20 }, (_, i) => ({
+      type: 'group',
+      rotation: [0, 20, 0],
+      scale: [1, 1.25, 0.75],
+      objects: (still.objects as readonly Json[]).map((object) => ({ ...object, color: rainbow(i) })),
+    })),
+  },
+  'a camera in a disc and a face of a box': {
+    ...still,
+    objects: [
+      ...(still.objects as readonly Json[]),
+      { type: 'disc', center: [1.5, 2, 6], normal: [0, 1, 0], radius: 2 },
+      { type: 'box', center: [1, 1.5, 6.5], size: [1, 1, 1] },
+    ],
+  },
 };
