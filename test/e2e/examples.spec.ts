@@ -90,6 +90,7 @@ test('a mistake in the JSON of scenes.html is told, and the last good picture st
 
 for (const scene of scenes) {
   test(`the GPU's picture of ${scene} is that of the reference`, async ({ page, complaints }) => {
+    test.slow();
     // All three pictures are in sight.
     await page.setViewportSize({ width: 900, height: 900 });
     await page.goto('/examples/reference.html');
