@@ -81,6 +81,15 @@ export const extremes: { readonly [name: string]: Json } = {
   },
   'nanometres, in metres': scaleScene(still, 1e-9),
   'light-years, in metres': scaleScene(still, 9.4607304725808e15),
+  'a camera in a plane': {
+    ...still,
+    camera: { position: [1, 0, 6], target: [0, 0, 0] },
+  },
+  'a camera in a tilted plane': {
+    ...still,
+    camera: { position: [1, 2, 6], target: [0, 0.5, 0] },
+    objects: [...(still.objects as readonly Json[]), { type: 'plane', point: [1, 2, 6], normal: [1, 2, 0.5] }],
+  },
   'a narrow lens 10 million units away': fromAfar([0.2, 0.35, 1], (still.objects as readonly Json[]).slice(1)),
   'a narrow lens 10 million units above a floor': fromAfar([0.2, 0.35, 1], still.objects as readonly Json[]),
   'a narrow lens 10 million units away, two balls': fromAfar(

@@ -102,12 +102,14 @@ export const isSurfaceOutput = (output?: string): boolean => views.includes(`${o
 export const followsPaths = (scene: ResolvedScene, { integrator, output }: Partial<Tracing>): boolean =>
   integrator === 'path' || isSurfaceOutput(output) || !isPlain(scene);
 
-function isPlain({ camera, environment, lights: nodes, materials }: ResolvedScene): boolean {
+function isPlain({ camera, environment, lights: nodes, materials, objects }: ResolvedScene): boolean {
   return (
     camera.type !== 'orthographic' &&
     camera.fov >= NARROW_FOV &&
     !camera.aperture &&
     environment?.kind !== 'image' &&
+    // From within a surface, both of its sides are seen.
+    objects.every(({ shape }) => primitiveOf(shape).clearance(shape, camera.position) > 0) &&
     nodes.every((light) =>
       light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius,
     ) &&
