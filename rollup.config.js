@@ -1,12 +1,14 @@
 // Builds both packages: ES modules whose dependencies stay imports, their types, and one minified file that needs nothing.
 import { readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { dirname, resolve } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
 import { nodeResolve } from '@rollup/plugin-node-resolve';
 import terser from '@rollup/plugin-terser';
 import { transformSync } from 'esbuild';
 import { dts } from 'rollup-plugin-dts';
 import { compileTypeScript, textModule } from './test/node/compile.mjs';
+import { plainGlsl } from './test/node/plain-glsl.mjs';
 import { stripGlsl } from './test/node/strip-glsl.mjs';
 import './test/node/register.mjs';
 
@@ -98,6 +100,21 @@ const sources = {
   },
 };
 
+/** The files that every page loads, without the branches of what comes with a chunk; that brings them whole. */
+const plainShaders = {
+  name: 'plain-shaders',
+  resolveId(source, importer) {
+    if (!importer?.endsWith('/glsl-files.ts') || !source.endsWith('.glsl')) return undefined;
+    return `${resolve(dirname(importer), source)}?plain`;
+  },
+  async load(id) {
+    if (!id.endsWith('?plain')) return undefined;
+    const { moreNames } = await import('./packages/core/src/load-parts.ts');
+    const text = readFileSync(id.replace('?plain', ''), 'utf8');
+    return { code: textModule(stripGlsl(plainGlsl(text, new Set(moreNames)))), map: { mappings: '' } };
+  },
+};
+
 /** Prints what a browser downloads, and holds every file to the size that its package promises. */
 function sizes(folder) {
   const { maxBrotliBytes = {} } = manifest(folder);
@@ -161,6 +178,7 @@ function oneFile(folder, name, input, others = '') {
       shortStyles,
       glNumbers,
       adoptedStyles,
+      plainShaders,
       sources,
       shortPrivateNames,
       terser({

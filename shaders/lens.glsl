@@ -1,5 +1,5 @@
 // Camera rays of paths, in units of the packed scene: from the camera, which is the origin; from a point of the lens to
-// the point in focus; or side by side, all in one direction. The sample's place in the pixel is already in `corner`.
+// the point in focus; or from a plane ahead of the camera. The sample's place in the pixel is already in `corner`.
 #include "generated/view.glsl"
 #ifdef LENS
 #include "circle.glsl"
@@ -19,10 +19,12 @@ vec3 unitVector(vec3 v) {
 }
 
 // The start and the unit direction; u says where on the lens.
-#if defined(ORTHOGRAPHIC)
+#if defined(DISTANT)
+// The window is in that plane, and the origin its middle. Rays are parallel (spread = 0), or run away from a point that is
+// far behind: a ray from there has the digits that tell pixels apart in its start, where they are not lost next to 1.
 void cameraRay(out vec3 o, out vec3 d) {
   o = windowPoint();
-  d = eye.forward;
+  d = unitVector(eye.forward + eye.spread * o);
 }
 #elif defined(LENS)
 void cameraRay(vec2 u, out vec3 o, out vec3 d) {

@@ -23,7 +23,7 @@ vec4 firstSurface() {
 #else
   cameraRay(p, d);
 #endif
-#if defined(LENS) || defined(ORTHOGRAPHIC)
+#if defined(LENS) || defined(DISTANT)
   From from = fromPoint(scene, p, NOTHING);
 #else
   From from = fromCamera(scene);
@@ -31,7 +31,13 @@ vec4 firstSurface() {
   Hit hit = nearest(scene, from, d);
   if (!(hit.t < MISS)) return vec4(0.0);
 #ifdef DEPTH
-  return vec4(decodeSrgb(vec3(eye.toFocus / (eye.toFocus + hit.t))), 1.0);
+  float t = hit.t;
+#ifdef DISTANT
+  // From the camera, which is behind where the ray starts.
+  vec3 aside = eye.spread * p;
+  t += eye.toStart * sqrt(1.0 + dotInOrder(aside, aside));
+#endif
+  return vec4(decodeSrgb(vec3(eye.toFocus / (eye.toFocus + t))), 1.0);
 #else
   p += hit.t * d;
   from = fromPoint(scene, p, hit);

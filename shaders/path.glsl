@@ -20,6 +20,7 @@
 #ifdef SHADOWS
 #include "light/emitters.glsl"
 
+#ifdef AREA_EMITTER
 // The weight of a direction that was found with pdf a and not with b: as a quotient, so that no square leaves the range.
 // Where all lights are asked at every surface, what they are asked for is not found again.
 float powerHeuristic(float a, float b) {
@@ -31,6 +32,7 @@ float powerHeuristic(float a, float b) {
   return (a < b ? square : 1.0) / (1.0 + square);
 #endif
 }
+#endif
 
 // The light of an emitter by way of a surface, where the ray that is to be shaded goes off at `from`.
 vec3 lightBy(EmitterSample light, Parts scene, From from, mat3 frame, Bsdf bsdf, vec3 wo) {
@@ -38,7 +40,7 @@ vec3 lightBy(EmitterSample light, Parts scene, From from, mat3 frame, Bsdf bsdf,
   vec3 value = bsdfValue(bsdf, wo, toLocal(frame, light.direction), pdf);
   if (!(light.pdf > 0.0 && max(max(value.r, value.g), value.b) > 0.0)) return vec3(0.0);
   if (occlusion(scene, from, light.direction, light.distance, light.object) > 0.0) return vec3(0.0);
-#ifdef WHITTED
+#if defined(WHITTED) || !defined(AREA_EMITTER)
   return value * light.radiance / light.pdf;
 #else
   return value * light.radiance * ((light.delta ? 1.0 : powerHeuristic(light.pdf, pdf)) / light.pdf);
@@ -88,14 +90,18 @@ vec4 path() {
 #else
   cameraRay(p, d);
 #endif
-#if defined(LENS) || defined(ORTHOGRAPHIC)
+#if defined(LENS) || defined(DISTANT)
   From from = fromPoint(scene, p, NOTHING);
 #else
   From from = fromCamera(scene);
 #endif
   vec3 radiance = vec3(0.0);
   vec3 throughput = vec3(1.0);
-#ifdef SHADOWS
+#ifdef CLAMP
+  // What shines where the camera sees it.
+  vec3 seen = vec3(0.0);
+#endif
+#ifdef AREA_EMITTER
   // Where the ray under way was scattered, and its pdf; 0 where no light could have been asked for it.
   float scatteredPdf = 0.0;
 #endif
@@ -125,7 +131,7 @@ vec4 path() {
 #ifdef ATTENUATION
     throughput *= transmittance(media, hit.t);
 #endif
-#if defined(EMISSIVE) && defined(SHADOWS)
+#if defined(EMISSIVE) && defined(AREA_EMITTER)
     vec3 start = p;
     int left = from.own.object;
 #endif
@@ -140,7 +146,7 @@ vec4 path() {
 #ifdef EMISSIVE
     if (!isBlack(m.emission)) {
       float shines = front ? m.shinesInFront : m.shinesBehind;
-#ifdef SHADOWS
+#ifdef AREA_EMITTER
       if (scatteredPdf > 0.0 && m.emitter >= 0) {
         shines *= powerHeuristic(scatteredPdf, emitterPdf(m.emitter, start, d, hit.t, cosine, left));
       }
@@ -150,6 +156,12 @@ vec4 path() {
 #else
       radiance += (shines * throughput) * m.emission;
 #endif
+    }
+#endif
+#ifdef CLAMP
+    if (event == 0) {
+      seen = radiance;
+      radiance = vec3(0.0);
     }
 #endif
     if (event == BOUNCES) break;
@@ -212,11 +224,16 @@ vec4 path() {
       throughput /= survival;
     }
 #endif
-#ifdef SHADOWS
+#ifdef AREA_EMITTER
     scatteredPdf = onward.pdf;
 #endif
     d = toWorld(frame, onward.wi);
     d /= sqrt(dotInOrder(d, d));
   }
+#ifdef CLAMP
+  // Dimmed, not cut channel by channel: its colour stays.
+  radiance *= min(eye.mostRadiance / max(max(max(radiance.r, radiance.g), radiance.b), SMALLEST), 1.0);
+  radiance += seen;
+#endif
   return vec4(min(radiance, vec3(LARGEST)), 1.0);
 }

@@ -54,6 +54,7 @@ EmitterSample sampleEmitter(vec3 p, float which, vec2 u, int own) {
 #endif
 }
 
+#ifdef AREA_EMITTER
 // The pdf, per solid angle, with which `sampleEmitter` finds the unit direction d; that meets the emitter at the distance t
 // from `from`, under an angle of this cosine with the normal. 0 for what has no extent, which no ray meets.
 float emitterPdf(int emitter, vec3 from, vec3 d, float t, float cosine, int own) {
@@ -76,3 +77,4 @@ vec3 emitterRadiance(int emitter, vec3 d) {
   return emitters[emitter].strength;
 #endif
 }
+#endif

@@ -40,11 +40,5 @@ vec3 pointLight(PointLight light, Parts scene, From from, Surface s, vec3 p, vec
 #endif
 
 #ifdef DIRECTIONAL_LIGHTS
-vec3 directionalLight(DirectionalLight light, Parts scene, From from, Surface s, vec3 p, vec3 d) {
-  float strength = 1.0;
-#ifdef SHADOWS
-  strength *= step(occlusion(scene, from, light.toLight, MISS), 0.0);
-#endif
-  return scattered(light.irradiance, strength, s, light.toLight, d);
-}
+#include "light/directional.glsl"
 #endif

@@ -1,6 +1,7 @@
 // Ray against box along the axes: the common part of three slabs, by true division. Source: T. Kay and J. Kajiya, "Ray
 // Tracing Complex Scenes", SIGGRAPH 1986. The corners are relative to the ray's start, for the camera from f64.
 // Precision: f32.
+// It takes about 1.2 times as long as with reciprocals of d, which lose the last digit: a corner might be missed.
 #include "shape/convex.glsl"
 #include "split-dot.glsl"
 

@@ -11,6 +11,7 @@
 // - Seen from one of them the quartic has hardly a linear term, so a ray that grazes has its roots as ± a square root.
 //   From the least of the bounds that its single powers set, Newton's method gets there in 3 steps, or nearly so.
 // - One step on `power` itself gets what f32 has to give.
+// That takes about 1.8 times as long as the closed formula of textbooks, and fewer steps did not keep the limits.
 // Measured with the ground truth: 99 % within 4 times what one rounding of the input may change, and all within 6.
 // There are no loops, for what `direct.glsl` says of them.
 

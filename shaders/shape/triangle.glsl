@@ -2,7 +2,8 @@
 // Source: S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: the corners are
 // sheared so that the ray runs along z, and three edge functions in the plane decide. Both triangles compute the same
 // products for a shared edge, in f32; the sign decides, whatever was rounded. The distance is that of the plane, packed
-// from f64: where lengths differ widely with n·d as `splitDot`.
+// from f64: where lengths differ widely with n·d as `splitDot`. It takes about 1.3 times as long as the common formula, which
+// loses rays between triangles; the shear, which is the same for all triangles of a ray, is most of that.
 #include "split-dot.glsl"
 
 // What all rays from a point share: the ways to the corners, and to the plane along the normal.

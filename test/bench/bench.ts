@@ -4,8 +4,10 @@ import { parse } from 'node:path';
 import { parseSettings, type RenderSettings } from '@ray-scene/core';
 import { type Browser, findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
+import { Gpu } from '../truth/gpu-side.ts';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
+import { type Convergence, measureConvergence, printConvergence } from './convergence.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
 import { type BenchOptions, oneOf, readOptions, USAGE } from './options.ts';
 import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
@@ -57,6 +59,15 @@ async function benchPrimitives(browser: Browser, plan: Plan) {
   return { primitives };
 }
 
+async function benchConvergence(browser: Browser, scenes: readonly SceneToBench[]) {
+  const gpu = await Gpu.start(browser.engine);
+  const convergence: { [scene: string]: Convergence } = {};
+  for (const { name, scene } of scenes) convergence[name] = await measureConvergence(gpu, scene);
+  await gpu.close();
+  printConvergence(convergence);
+  return { convergence };
+}
+
 async function benchScenes(browser: Browser, scenes: readonly SceneToBench[], plan: Plan) {
   const result = { scenes: await measure(() => startBrowser(browser), scenes, plan) };
   printScenes(result.scenes, plan);
@@ -75,6 +86,7 @@ async function bench({ quick, parts, scene, engine, json }: BenchOptions) {
     plan,
     bundle,
     ...(parts.includes('primitives') && (await benchPrimitives(browser, plan))),
+    ...(parts.includes('convergence') && (await benchConvergence(browser, scenes))),
     ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),
   };
   if (!parts.includes('trade')) return write(json, result);

@@ -3,7 +3,7 @@ import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
 
 /** What is measured; without a wish both of the first two are. */
-export const PARTS = ['scenes', 'trade', 'primitives'] as const;
+export const PARTS = ['scenes', 'trade', 'primitives', 'convergence'] as const;
 export type Part = (typeof PARTS)[number];
 
 export const USAGE = `npm run bench -- [options]
@@ -13,6 +13,7 @@ Measures how long scenes take, and what each setting costs and buys.
   --only scenes       time to the first picture and for each sample of the example scenes, against shaders by hand
   --only trade        each example scene with each setting: time, noise, bias, PSNR, FLIP; how well noise is known
   --only primitives   shapes of each kind by the engine's formulas and by those of textbooks; also --primitives
+  --only convergence  how fast the noise of paths goes down in each example; also --convergence
   --scene NAME        only this one of examples/scenes
   --engine NAME       ${ENGINES.join(', ')} (default: chromium)
   --quick             fewer turns, and of the settings only path and direct: under 3 minutes
@@ -50,10 +51,18 @@ export function readOptions(args: readonly string[]): BenchOptions {
       report: { type: 'boolean', default: false },
       presets: { type: 'boolean', default: false },
       primitives: { type: 'boolean', default: false },
+      convergence: { type: 'boolean', default: false },
       help: { type: 'boolean', default: false },
     },
   });
-  const { only = values.primitives ? 'primitives' : undefined, quick, scene, engine, report, presets } = values;
+  const {
+    only = values.primitives ? 'primitives' : values.convergence ? 'convergence' : undefined,
+    quick,
+    scene,
+    engine,
+    report,
+    presets,
+  } = values;
   if (only !== undefined) oneOf('only', only, PARTS);
   oneOf('engine', engine, ENGINES);
   const whole = !quick && scene === undefined && (only === undefined || only === 'trade');

@@ -5,8 +5,8 @@ import { agreement } from './agreement.ts';
 
 const SIZE = 64;
 
-function agree(what: string, scene: Scene, integrator: 'path' | 'direct'): void {
-  const settings = { width: SIZE, height: SIZE, samples: 1, bounces: 4, integrator };
+function agree(what: string, scene: Scene, integrator: 'path' | 'direct', clamp?: number): void {
+  const settings = { width: SIZE, height: SIZE, samples: 1, bounces: 4, integrator, ...(clamp && { clamp }) };
   const { median, off, excluded } = agreement(scene, settings);
   const percent = (share: number): string => `${(100 * share).toFixed(3)} %`;
   console.log(`${what}: median ${median.toExponential(1)}, off ${percent(off)}, excluded ${percent(excluded)}`);
@@ -82,6 +82,9 @@ describe('paths on the GPU against the reference', function () {
   for (const [what, scene] of Object.entries(scenes)) {
     it(`draws ${what} alike`, () => agree(what, parseScene(scene), 'path'));
   }
+
+  it('dims what is brighter than the clamp alike', () =>
+    agree('clamp', parseScene(scenes['everything that can shine']), 'path', 0.3));
 
   for (const name of ['ball-lens', 'cornell', 'focus', 'rough-glass', 'shadows', 'whitted']) {
     it(`draws the example ${name} alike`, async () =>

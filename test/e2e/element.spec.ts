@@ -52,7 +52,8 @@ test('a simple scene is drawn without other parts; a camera that goes into a bal
       return typeof value === 'string' ? 'some graphics card' : value;
     };
   });
-  await show(page, '<ray-scene integrator="direct" samples="4"><ray-sphere></ray-sphere></ray-scene>');
+  const lamp = '<ray-light position="2 3 4" intensity="80"></ray-light>';
+  await show(page, `<ray-scene integrator="direct" samples="4">${lamp}<ray-sphere></ray-sphere></ray-scene>`);
   const { hash } = await picture(page);
   expect(parts).toEqual([]);
   const inside = await page.locator('ray-scene').evaluate(async (element) => {
@@ -84,7 +85,7 @@ test('a misspelt attribute is told in the element, once on the console, and as a
   const message =
     'unknown attribute "raduis" (did you mean "radius"?). A sphere takes: center, radius, name, material, color, ' +
     'metalness, roughness, ior, specular, specular-color, transmission, attenuation-color, attenuation-distance, ' +
-    'emission, emission-intensity, emission-side, checker, checker-size.';
+    'emission, emission-intensity, emission-side, checker, checker-size, map.';
   expect(problems).toMatchObject([{ where: 'ray-scene > ray-sphere[2]', message }]);
   await expect(page.getByRole('alert')).toHaveText(`ray-scene > ray-sphere[2]: ${message}`);
   expect(told).toEqual([`ray-scene > ray-sphere[2]: ${message}`]);

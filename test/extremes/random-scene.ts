@@ -73,6 +73,22 @@ const light = (dice: Dice): Json =>
 
 const listOf = <T>(count: number, make: () => T): readonly T[] => Array.from({ length: Math.floor(count) }, make);
 
+const shape = (dice: Dice): Json => {
+  const type = dice.oneOf(shapeKinds);
+  return { type, ...shapes[type](dice), ...surface(dice) };
+};
+
+/** One or two shapes, moved, turned, and often stretched or mirrored; once in a while in a group of their own. */
+const group = (dice: Dice): Json => ({
+  type: 'group',
+  position: dice.place(0.7),
+  rotation: dice.chance(0.7) ? dice.place(180) : [0, dice.oneOf([0, 90, 180]), 0],
+  scale: dice.chance(0.4)
+    ? dice.between(0.5, 1.5)
+    : [dice.between(0.5, 1.5), dice.between(0.5, 1.5), dice.oneOf([-1, 1])],
+  objects: listOf(dice.between(1, 2.99), () => (dice.chance(0.2) ? group(dice) : shape(dice))),
+});
+
 /** A scene file; the same one for the same seed. */
 export function randomScene(seed: number): Json {
   const dice = new Dice(seed);
@@ -81,9 +97,6 @@ export function randomScene(seed: number): Json {
     camera: { position: plus([0, 2, 6], dice.place(2)), target: dice.place(0.5), fov: dice.between(20, 80) },
     lights: listOf(dice.between(1, 3.99), () => light(dice)),
     ...(dice.chance(0.5) ? { environment: { top: color(dice), bottom: color(dice) } } : {}),
-    objects: listOf(dice.between(1, 12.99), () => {
-      const type = dice.oneOf(shapeKinds);
-      return { type, ...shapes[type](dice), ...surface(dice) };
-    }),
+    objects: listOf(dice.between(1, 12.99), () => (dice.chance(0.2) ? group(dice) : shape(dice))),
   };
 }

@@ -24,10 +24,16 @@ const LENGTHS = new Set([
 const times = (value: unknown, factor: number): unknown =>
   Array.isArray(value) ? value.map((x) => x * factor) : Number(value) * factor;
 
-const scaleNode = (node: Json, factor: number): Json =>
-  Object.fromEntries(
+/** A camera, a shape, or a group with all that is in it: what a group scales is lengths that are scaled already. */
+const scaleNode = (node: Json, factor: number): Json => ({
+  ...Object.fromEntries(
     Object.entries(node).map(([key, value]) => [key, LENGTHS.has(key) ? times(value, factor) : value]),
-  );
+  ),
+  ...(node.objects ? { objects: nodesOf(node, 'objects').map((object) => scaleNode(object, factor)) } : {}),
+  ...(node.lights ? { lights: nodesOf(node, 'lights').map((light) => scaleLight(light, factor)) } : {}),
+});
+
+const nodesOf = (node: Json, key: string): readonly Json[] => (node[key] as readonly Json[] | undefined) ?? [];
 
 const scaleLight = (light: Json, factor: number): Json => {
   const scaled = scaleNode(light, factor);
@@ -40,12 +46,7 @@ const scaleLight = (light: Json, factor: number): Json => {
  * Multiplies all lengths of a scene by a factor, and intensities of lights that fade by its square, as far as a file may
  * say it.
  */
-export function scaleScene(scene: Json, factor: number): Json {
-  const nodes = (key: string): readonly Json[] => (scene[key] as readonly Json[] | undefined) ?? [];
-  return {
-    ...scene,
-    ...(scene.camera ? { camera: scaleNode(scene.camera as Json, factor) } : {}),
-    lights: nodes('lights').map((light) => scaleLight(light, factor)),
-    objects: nodes('objects').map((object) => scaleNode(object, factor)),
-  };
-}
+export const scaleScene = (scene: Json, factor: number): Json => ({
+  ...scaleNode(scene, factor),
+  ...(scene.camera ? { camera: scaleNode(scene.camera as Json, factor) } : {}),
+});

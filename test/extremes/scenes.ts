@@ -35,6 +35,13 @@ const planet = sphere([0, -6371000, 0], 6371000, { color: '#8a9a6b', roughness: 
 const shells = (count: number): readonly Json[] =>
   Array.from({ length: count }, (_, i) => sphere([0, 0, 0], 1 - i * 1e-6, { color: rainbow(i), roughness: 0.3 }));
 
+/** From 10 million units away, through a lens that shows 4 units. */
+const fromAfar = (direction: readonly number[], objects: readonly Json[]): Json => ({
+  ...still,
+  camera: { position: direction.map((x) => x * 1e7), target: [0, 0.5, 0], fov: (2 * Math.atan(2e-7) * 180) / Math.PI },
+  objects,
+});
+
 /** By name. */
 export const extremes: { readonly [name: string]: Json } = {
   'a ball and its shadow on a planet': {
@@ -74,6 +81,21 @@ export const extremes: { readonly [name: string]: Json } = {
   },
   'nanometres, in metres': scaleScene(still, 1e-9),
   'light-years, in metres': scaleScene(still, 9.4607304725808e15),
+  'a camera in a plane': {
+    ...still,
+    camera: { position: [1, 0, 6], target: [0, 0, 0] },
+  },
+  'a camera in a tilted plane': {
+    ...still,
+    camera: { position: [1, 2, 6], target: [0, 0.5, 0] },
+    objects: [...(still.objects as readonly Json[]), { type: 'plane', point: [1, 2, 6], normal: [1, 2, 0.5] }],
+  },
+  'a narrow lens 10 million units away': fromAfar([0.2, 0.35, 1], (still.objects as readonly Json[]).slice(1)),
+  'a narrow lens 10 million units above a floor': fromAfar([0.2, 0.35, 1], still.objects as readonly Json[]),
+  'a narrow lens 10 million units away, two balls': fromAfar(
+    [0, 0.1, 1],
+    [sphere([-0.7, 0.5, 0], 0.8, { color: 'crimson' }), sphere([0.8, 0.5, 0.3], 0.7, { material: 'silver' })],
+  ),
   'a light inside a ball, from outside': {
     camera: { position: [0, 1, 5] },
     lights: [{ ...lamp, position: [0.2, 0, 0.1], intensity: 5 }],
@@ -101,5 +123,38 @@ export const extremes: { readonly [name: string]: Json } = {
     objects: [0, 1e-9, 1e-7, 1e-6, 1e-5, 3e-5, 1e-4].map((roughness, i) =>
       sphere([0.9 * i - 2.7, 0, 0], 0.4, { roughness, metalness: i % 2, color: rainbow(i) }),
     ),
+  },
+  'a hundred coincident spheres': {
+    camera: { position: [0.5, 1, 4] },
+    lights: [lamp, sun],
+    objects: Array.from({ length: 100 }, (_, i) => sphere([0.1, 0.2, 0.3], 1.1, { color: rainbow(i) })),
+  },
+  'a hundred coincident planes': {
+    camera: { position: [0.5, 1, 4] },
+    lights: [lamp, sun],
+    objects: Array.from({ length: 100 }, (_, i) => ({ type: 'plane', point: [0, -0.3, 0], color: rainbow(i) })),
+  },
+  'coincident shapes of each kind, twenty times': {
+    ...still,
+    objects: Array.from({ length: 20 }, (_, i) =>
+      (still.objects as readonly Json[]).map((object) => ({ ...object, color: rainbow(i), metalness: 0 })),
+    ).flat(),
+  },
+  'shapes of each kind in stretched groups, twenty times': {
+    ...still,
+    objects: Array.from({ length: 20 }, (_, i) => ({
+      type: 'group',
+      rotation: [0, 20, 0],
+      scale: [1, 1.25, 0.75],
+      objects: (still.objects as readonly Json[]).map((object) => ({ ...object, color: rainbow(i) })),
+    })),
+  },
+  'a camera in a disc and a face of a box': {
+    ...still,
+    objects: [
+      ...(still.objects as readonly Json[]),
+      { type: 'disc', center: [1.5, 2, 6], normal: [0, 1, 0], radius: 2 },
+      { type: 'box', center: [1, 1.5, 6.5], size: [1, 1, 1] },
+    ],
   },
 };

@@ -25,7 +25,12 @@ void main() {
   if (part == 2) answer = vec4(s.delta ? 1.0 : 0.0, float(s.object), 0.0, 0.0);
   if (part == 3) {
     int emitter = int(row(1).w);
+#ifdef AREA_EMITTER
     float pdf = emitterPdf(emitter, row(0).xyz, row(2).xyz, row(2).w, row(3).x, own);
     answer = vec4(pdf, emitterRadiance(emitter, row(2).xyz));
+#else
+    // No ray meets what has no extent.
+    answer = vec4(0.0, emitters[emitter].strength);
+#endif
   }
 }

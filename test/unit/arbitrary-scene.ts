@@ -1,6 +1,6 @@
 /** Random scene files for fast-check, made from the table itself: a new field or kind is tested without a word here. */
 import '@ray-scene/core/parts';
-import { camera, type Fields, lights, material, primitives } from '@ray-scene/core';
+import { camera, type Fields, group, lights, Mismatch, material, primitives } from '@ray-scene/core';
 import fc from 'fast-check';
 
 type Json = { [key: string]: unknown };
@@ -12,6 +12,11 @@ const byKind = {
     fc.constantFrom('crimson', '#08f', 'rgb(10 20 30)', 'hsl(120 50% 50%)', 'color(srgb-linear 0.2 0.3 0.4)'),
   ),
   name: fc.constantFrom('a', 'b', 'ball'),
+  // A factor on lengths, or one for each axis; negative ones mirror.
+  factors: fc.oneof(
+    fc.constantFrom(-2, 0.5, 1e-3, 1e3),
+    fc.tuple(...[1, 2, 3].map(() => fc.constantFrom(-1, 0.01, 0.3, 1, 2, 50))),
+  ),
 };
 
 /** A number as people write it: with few digits, and 0 where it is next to nothing. */
@@ -27,7 +32,7 @@ function valueFor({ kind, limits, read }: Fields[string]): fc.Arbitrary<unknown>
     kind === 'number'
       ? fc.double({ min: Math.max(min, -100), max: Math.min(max, 100), noNaN: true }).map(round)
       : byKind[kind as keyof typeof byKind];
-  return values.filter((value) => !(typeof read(value) === 'object' && 'message' in (read(value) as object)));
+  return values.filter((value) => !(read(value) instanceof Mismatch));
 }
 
 /** Any of the fields of a node, each present or not. */
@@ -63,6 +68,20 @@ function withinRing({ radius = 1, tube = 1, ...rest }: Json): Json {
   return { ...rest, radius: ring, tube: (0.9 * ring * thickness) / (ring + thickness) };
 }
 
+const shapes = variantOf(primitives, material.fields).map(consistent);
+
+/** A shape, or a group with shapes, a light, and perhaps a group in it. */
+const { object } = fc.letrec<{ object: Json; group: Json }>((tie) => ({
+  object: fc.oneof({ maxDepth: 2, withCrossShrink: true }, { arbitrary: shapes, weight: 4 }, tie('group')),
+  group: fc
+    .tuple(
+      nodeOf(group.fields),
+      fc.array(tie('object'), { maxLength: 2 }),
+      fc.array(variantOf(lights).map(consistent), { maxLength: 1 }),
+    )
+    .map(([fields, objects, inside]) => ({ type: 'group', ...fields, objects, lights: inside })),
+}));
+
 /** A valid scene file as plain JSON data. */
 export const arbitraryScene: fc.Arbitrary<Json> = fc
   .record({
@@ -71,7 +90,7 @@ export const arbitraryScene: fc.Arbitrary<Json> = fc
     environment: fc.constantFrom({ color: [0.5, 0.6, 0.7] }, { top: 'white', bottom: '#333', intensity: 2 }, undefined),
     lights: fc.array(variantOf(lights).map(consistent), { maxLength: 3 }),
     materials: fc.dictionary(fc.constantFrom('a', 'b', 'gold'), nodeOf(material.fields)),
-    objects: fc.array(variantOf(primitives, material.fields).map(consistent), { maxLength: 5 }),
+    objects: fc.array(object, { maxLength: 5 }),
   })
   .map(({ environment, ...scene }) => ({ version: 1, ...(environment ? { environment } : {}), ...scene }))
   .filter(({ camera: { position } }) => !position || (position as number[]).some((x) => x !== 0));

@@ -74,7 +74,7 @@ const table: readonly [what: string, scene: object, holds: readonly string[]][] 
   ['a point light', { ...simple, lights: [lamp] }, [...SPHERE, ...LIT, 'pointLight']],
   [
     'two spheres: shadows',
-    { ...simple, objects: [sphere, sphere] },
+    { ...simple, objects: [sphere, { ...sphere, radius: 2 }] },
     [...SPHERE, ...LIT, 'directionalLight', 'occlusion', 'sphereOcclusion'],
   ],
   ['a plane alone', { ...simple, objects: [{ ...floor, specular: 0 }] }, [...PLANE, ...LIT, 'directionalLight']],

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { suite, test } from 'node:test';
 // Not the package's index, whose reference tracer knows all shapes from the start.
 import { generateShader } from '../../packages/core/src/generate-shader.ts';
-import { loadColors, loadShaderParts, loadShapes } from '../../packages/core/src/load-parts.ts';
+import { loadShaderParts, loadShapes, loadWords } from '../../packages/core/src/load-parts.ts';
 import { packScene } from '../../packages/core/src/pack-scene.ts';
 import { parseScene } from '../../packages/core/src/parse-scene.ts';
 import { requirements } from '../../packages/core/src/requirements.ts';
@@ -12,7 +12,7 @@ import { SceneError } from '../../packages/core/src/scene-error.ts';
 import type { Scene } from '../../packages/core/src/schema.ts';
 
 /** What is parsed of a colour before those of CSS are loaded. */
-const early = ['black', '#8c3', 'rgb(1 2 3)', 'color(srgb-linear 0 0.1 0)', 'crimson', 'oklch(0.7 0.1 200)'].map(
+const early = ['black', '#8c3', 'color(srgb-linear 0 0.1 0)', 'rgb(1 2 3)', 'crimson', 'oklch(0.7 0.1 200)'].map(
   (color) => {
     try {
       return [color, parseScene({ background: color }).background] as const;
@@ -21,7 +21,7 @@ const early = ['black', '#8c3', 'rgb(1 2 3)', 'color(srgb-linear 0 0.1 0)', 'cri
     }
   },
 );
-const loading = loadColors();
+const loading = loadWords();
 await loading;
 
 const example = (name: string): Scene =>
@@ -34,11 +34,13 @@ const sphere = { type: 'sphere' };
 const simple = {
   'the classic': example('classic'),
   hello: example('hello'),
-  'a ball in the studio': parseScene({ objects: [sphere] }),
-  'an empty scene': parseScene({}),
+  'an empty room with a lamp': parseScene({ lights: [{ type: 'point' }] }),
 };
 
 const demanding = {
+  'a ball in the studio': parseScene({ objects: [sphere] }),
+  'a ball in the sun': parseScene({ lights: [{ type: 'directional' }], objects: [sphere] }),
+  'a ball under a sky': parseScene({ environment: {}, lights: [{ type: 'point' }], objects: [sphere] }),
   'a checkered ball': parseScene({ objects: [{ ...sphere, checker: 'red' }] }),
   'a plane that is not level': parseScene({ objects: [{ type: 'plane', normal: [1, 1, 0] }] }),
   'a camera in a ball': parseScene({ camera: { position: [0, 0, 0.5] }, objects: [sphere] }),
@@ -49,10 +51,10 @@ const demanding = {
 suite('what a page loads', () => {
   test('colours that need no table are read at once, others when the colours of CSS are there', () => {
     assert.ok(loading instanceof Promise);
-    assert.equal(loadColors(), undefined);
+    assert.equal(loadWords(), undefined);
     assert.deepEqual(
       early.filter(([, read]) => read instanceof SceneError).map(([color]) => color),
-      ['crimson', 'oklch(0.7 0.1 200)'],
+      ['rgb(1 2 3)', 'crimson', 'oklch(0.7 0.1 200)'],
     );
     for (const [color, read] of early) {
       const { background } = parseScene({ background: color });

@@ -63,6 +63,16 @@ test('a scene that is scaled by a power of two, with its intensities, is packed 
               objects: [
                 { type: 'sphere', center: scaled(center, s), radius: radius * s },
                 { type: 'plane', point: scaled(center, s), normal: [1, 2, 3], checker: 'red', checkerSize: 0.3 * s },
+                {
+                  type: 'group',
+                  position: scaled(eye, s),
+                  rotation: [10, 20, 30],
+                  scale: [1, -2, 0.5],
+                  objects: [
+                    { type: 'box', center: scaled(light, s), size: scaled([1, 2, 3], s) },
+                    { type: 'triangle', a: [0, 0, 0], b: [s, 0, 0], c: scaled([0.3, 1, 2], s) },
+                  ],
+                },
               ],
             }),
           );

@@ -65,7 +65,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
     [
       'objects[0]: unknown key "raduis" (did you mean "radius"?). A sphere takes: center, radius, name, material, color, ' +
         'metalness, roughness, ior, specular, specularColor, transmission, attenuationColor, attenuationDistance, ' +
-        'emission, emissionIntensity, emissionSide, checker, checkerSize.',
+        'emission, emissionIntensity, emissionSide, checker, checkerSize, map.',
     ],
   ],
   [

@@ -31,6 +31,37 @@ test('a hit lies on the sphere, in front of the ray, and its normal points away 
   );
 });
 
+test('of shapes that are the same in the same place the first counts, in groups too', () => {
+  const twins = (shape: object) => [
+    { ...shape, color: 'red', name: 'first' },
+    { ...shape, color: 'blue' },
+    { ...shape, metalness: 1, name: 'third' },
+  ];
+  const kinds = ['sphere', 'plane', 'disc', 'quad', 'box', 'cylinder', 'cone', 'torus', 'triangle'];
+  for (const type of kinds) {
+    const { objects, materials } = resolveScene(parseScene({ objects: twins({ type }) }));
+    assert.deepEqual(
+      objects.map(({ path }) => path),
+      [[0]],
+      type,
+    );
+    assert.deepEqual(
+      materials.map(({ color }) => color),
+      [[1, 0, 0]],
+      type,
+    );
+  }
+  const stretched = (scale: number) => ({ type: 'group', scale: [1, scale, 1], objects: [{ type: 'sphere' }] });
+  const objects = [
+    stretched(2),
+    stretched(2),
+    stretched(3),
+    { type: 'sphere', center: [0, 0, 1e-15] },
+    { type: 'sphere' },
+  ];
+  assert.equal(resolveScene(parseScene({ objects })).objects.length, 4);
+});
+
 test('a ray towards a point of the sphere from outside meets the sphere', () => {
   fc.assert(
     fc.property(triple, direction, direction, (center, towards, away) => {

@@ -99,7 +99,10 @@ test('without reflection there are neither highlights nor bounces', () => {
 });
 
 test('features and places that were needed once stay', () => {
-  const rich = required({ ...scene, objects: [{ ...sphere, metalness: 1 }, sphere, floor, floor] });
+  const rich = required({
+    ...scene,
+    objects: [{ ...sphere, metalness: 1 }, { ...sphere, radius: 2 }, floor, { ...floor, point: [0, -2, 0] }],
+  });
   const both = mergeRequirements(rich, required(scene));
   assert.equal(requirementsKey(both), requirementsKey(mergeRequirements(both, required(scene))));
   assert.deepEqual([both.shapes.sphere, both.shapes.plane], [2, 2]);

@@ -18,6 +18,9 @@ export interface ResolvedCamera {
   readonly focusDistance?: number;
 }
 
+/** In degrees. Below it, directions in f32 hold too few digits to tell pixels apart: see `rayStart`. */
+export const NARROW_FOV = 0.5;
+
 /**
  * With w = corner + x stepX + y stepY for the window point (x, y), counted in pixels from the lower left corner as
  * `gl_FragCoord` does, the ray through it starts at `origin` and runs along w (not of unit length). With a lens it starts
@@ -87,16 +90,20 @@ export function cameraFrame(
 export const rayDirection = (frame: CameraFrame, x: number, y: number): Vec3 =>
   addScaled(addScaled(frame.corner, frame.stepX, x), frame.stepY, y);
 
-/** The unit direction of the ray through (x, y), and its start relative to `origin`; `onLens`: of the unit disc. */
+/**
+ * The unit direction of the ray through (x, y), and its start relative to `origin`; `onLens`: of the unit disc. `ahead`: it
+ * starts in the plane that is so far ahead, if there is no lens.
+ */
 export function cameraRay(
   frame: CameraFrame,
   x: number,
   y: number,
   onLens: readonly [number, number] = [0, 0],
+  ahead = 0,
 ): { readonly start: Vec3; readonly direction: Vec3 } {
   const window = rayDirection(frame, x, y);
-  if (frame.orthographic) return { start: window, direction: frame.forward };
-  if (!frame.lens) return { start: [0, 0, 0], direction: normalize(window) };
+  if (frame.orthographic) return { start: addScaled(window, frame.forward, ahead), direction: frame.forward };
+  if (!frame.lens) return { start: scale(window, ahead), direction: normalize(window) };
   const start = addScaled(scale(frame.lens[0], onLens[0]), frame.lens[1], onLens[1]);
   return { start, direction: normalize(subtract(scale(window, frame.focus), start)) };
 }

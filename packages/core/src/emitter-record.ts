@@ -56,6 +56,9 @@ type Values = RecordValues<typeof emitterRecord>;
 export const presentEmitters = (features: readonly Feature[]): readonly EmitterKind[] =>
   emitterKinds.filter((kind) => features.includes(`${kind}Emitter`));
 
+/** Kinds that no ray meets by chance. */
+export const POINTS: readonly EmitterKind[] = ['point', 'spot', 'directional'];
+
 /** The features that emitters bring with them, but for `severalEmitters`, which follows from their number. */
 export function emitterFeatures(emitters: readonly Emitter[]): readonly Feature[] {
   const kinds = emitterKinds.filter((one) => emitters.some(({ kind }) => kind === one));
@@ -63,6 +66,7 @@ export function emitterFeatures(emitters: readonly Emitter[]): readonly Feature[
     emitters.some(test) ? [feature] : [];
   return [
     ...kinds.map((kind) => `${kind}Emitter` as const),
+    ...is('areaEmitter', ({ kind }) => !POINTS.includes(kind)),
     ...is('steadyEmitter', (one) => 'decay' in one && one.decay === 0),
     ...is('aimedBall', (one) => one.kind === 'sphere' && !!one.profile),
     ...is('innerEmitter', (one) => hasInside(one) && one.side !== 'front'),

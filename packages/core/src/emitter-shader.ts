@@ -1,23 +1,24 @@
 /** The part of a shader that tells the kinds of emitters apart: none of it for a scene with but one kind. */
-import { presentEmitters } from './emitter-record.ts';
+import { POINTS, presentEmitters } from './emitter-record.ts';
 import { type EmitterKind, emitterKinds } from './emitters.ts';
 import type { Feature } from './features.ts';
 import { structName } from './pack-scene.ts';
 import { ROULETTE_FROM } from './path-needs.ts';
 import type { Requirements } from './requirements.ts';
 
-/** Kinds that no ray meets by chance. */
-const POINTS: readonly EmitterKind[] = ['point', 'spot', 'directional'];
-
 /** The file `generated/emitters.glsl`. */
 export function emittersGlsl(features: readonly Feature[]): string {
   const kinds = presentEmitters(features);
   const includes = kinds.map((kind) => `#include "light/emitter/${kind}.glsl"\n`);
+  const pdfOf = (kind: EmitterKind): string =>
+    POINTS.includes(kind) ? 'return 0.0;' : `return ${kind}Pdf(e, from, d, t, cosine, own);`;
   return `${includes.join('')}
 EmitterSample sampleOf(Emitter e, vec3 p, vec2 u, bool own) {
 ${forKind(kinds, (kind) => `return ${kind}Sample(e, p, u, own);`)}}
+#ifdef AREA_EMITTER
 float pdfOf(Emitter e, vec3 from, vec3 d, float t, float cosine, bool own) {
-${forKind(kinds, (kind) => (POINTS.includes(kind) ? 'return 0.0;' : `return ${kind}Pdf(e, from, d, t, cosine, own);`))}}
+${forKind(kinds, pdfOf)}}
+#endif
 ${isKindGlsl(kinds, 'sun')}${isKindGlsl(kinds, 'image')}`;
 }
 

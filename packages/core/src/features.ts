@@ -40,12 +40,14 @@ export const features = [
   'emissive',
   'sides',
   'roulette',
+  'clamp',
   // What is shown of the first surface, in place of its light:
   'normal',
   'depth',
   'albedo',
   'lens',
-  'orthographic',
+  // Rays start in a plane ahead of the camera: they are parallel, or nearly.
+  'distant',
   // What can be asked for light:
   'pointEmitter',
   'spotEmitter',
@@ -59,6 +61,8 @@ export const features = [
   'cylinderEmitter',
   'imageEmitter',
   'severalEmitters',
+  // One that a ray may meet by chance, too.
+  'areaEmitter',
   // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
   'steadyEmitter',
   'aimedBall',

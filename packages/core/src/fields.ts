@@ -1,6 +1,6 @@
 /** Kinds of fields: how each is read from JSON or from the text of an attribute, and how its JSON Schema looks. */
 import { colorNames, readColor } from './color.ts';
-import { nearestWord } from './nearest-word.ts';
+import { say } from './say.ts';
 import type { Vec3 } from './vector.ts';
 
 /** What a field accepts, as data: for the JSON Schema, the docs and tools. */
@@ -15,34 +15,22 @@ export interface Limits {
   readonly choices?: readonly (string | number)[];
 }
 
-/** What a value should have been: `must be a number above 0`. Returned instead of a value that cannot be read. */
+/** What a value should have been. Returned instead of a value that cannot be read. */
 export class Mismatch {
-  readonly message: string;
+  /** What the field takes: `must be a number above 0`. */
+  readonly allowed: () => string;
   /** What to say after the value that was found: ` (did you mean "red"?)`. */
-  readonly hint: string;
+  readonly hint: () => string;
 
-  constructor(message: string, hint = '') {
-    this.message = message;
+  constructor(allowed: () => string, hint = () => '') {
+    this.allowed = allowed;
     this.hint = hint;
   }
 
   /** The whole sentence, for a field as it is spelt and the value that was found. */
   sentence(field: string, found: unknown): string {
-    return `${field} ${this.message}, not ${shown(found)}${this.hint}`;
+    return say('field', field, this.allowed(), found, this.hint());
   }
-}
-
-/** A value as its author would recognise it, cut where it is long. */
-export function shown(value: unknown): string {
-  const text =
-    typeof value === 'number' || value === undefined ? String(value) : (JSON.stringify(value) ?? String(value));
-  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
-}
-
-/** ` (did you mean "red"?)`, or nothing when no word is near. */
-export function suggestion(typed: unknown, words: Iterable<string>): string {
-  const near = typeof typed === 'string' ? nearestWord(typed, words) : undefined;
-  return near ? ` (did you mean "${near}"?)` : '';
 }
 
 /** By the name of a shader feature: whether a value needs it. */
@@ -107,10 +95,8 @@ export function number<D extends number | undefined = undefined>(
   options: NumberOptions<D> = {},
 ): Field<number | D> {
   const { min, above, max, integer } = options;
-  const lower = above !== undefined ? ` above ${above}` : min !== undefined ? ` of at least ${min}` : '';
-  const upper = max === undefined ? '' : `${lower ? ' and' : ' of'} at most ${max}`;
-  const range = min !== undefined && max !== undefined ? ` from ${min} to ${max}` : lower + upper;
-  const expected = new Mismatch(`must be ${integer ? 'a whole number' : 'a number'}${range}`);
+  const limits = { min, above, max, integer };
+  const expected = new Mismatch(() => say('number', limits));
   const accepts = (n: number | undefined): n is number =>
     n !== undefined &&
     Number.isFinite(n) &&
@@ -123,7 +109,7 @@ export function number<D extends number | undefined = undefined>(
       const n = readNumber(value);
       return accepts(n) ? n : expected;
     },
-    limits: { min, above, max, integer },
+    limits,
   });
 }
 
@@ -146,7 +132,8 @@ export function vector<D extends Vec3 | undefined = undefined>(
   options: VectorOptions<D> = {},
 ): Field<Vec3 | D> {
   const { nonzero, positive } = options;
-  const expected = new Mismatch(`must be three numbers "x y z"${positive ? ' above 0' : nonzero ? ', not all 0' : ''}`);
+  const limits = { nonzero, above: positive ? 0 : undefined };
+  const expected = new Mismatch(() => say('vector', limits));
   return field('vector', doc, options, {
     read: (value) => {
       const v = readTriple(value);
@@ -155,7 +142,7 @@ export function vector<D extends Vec3 | undefined = undefined>(
         !(nonzero && v.every((n) => n === 0));
       return v && valid ? v : expected;
     },
-    limits: { nonzero, above: positive ? 0 : undefined },
+    limits,
   });
 }
 
@@ -175,7 +162,7 @@ export function factors<D extends Vec3 | undefined = undefined>(
   doc: string,
   options: Options<Vec3, D> = {},
 ): Field<Vec3 | D> {
-  const expected = new Mismatch('must be one number or three "x y z", each from 1e-12 to 1e12 or the negative of that');
+  const expected = new Mismatch(() => say('factors'));
   const accepts = (n: number): boolean => Math.abs(n) >= 1 / LARGEST_FACTOR && Math.abs(n) <= LARGEST_FACTOR;
   return field('factors', doc, options, {
     read: (value) => {
@@ -198,20 +185,23 @@ export function color<D extends Vec3 | undefined = undefined>(
   options: ColorOptions<D> = {},
 ): Field<Vec3 | D> {
   const max = options.light ? LARGEST_LENGTH : 1;
-  const expected = 'must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or linear [r, g, b]';
+  const limits = { max: options.light ? undefined : 1 };
   return field('color', doc, options, {
     read: (value) => {
       if (Array.isArray(value)) {
         const rgb = readTriple(value);
         return rgb?.every((channel) => channel >= 0 && channel <= max)
           ? rgb
-          : new Mismatch(`must be three numbers from 0${options.light ? '' : ' to 1'}`);
+          : new Mismatch(() => say('linearColor', limits));
       }
       const rgb = typeof value === 'string' ? readColor(value) : undefined;
-      if (typeof rgb === 'string') return new Mismatch(expected, `, which ${rgb}`);
-      return rgb ? Object.freeze(rgb) : new Mismatch(expected, suggestion(value, colorNames()));
+      if (typeof rgb === 'object') return Object.freeze(rgb);
+      return new Mismatch(
+        () => say('color'),
+        () => (rgb ? say(rgb) : say('suggestion', value, colorNames())),
+      );
     },
-    limits: { max: options.light ? undefined : 1 },
+    limits,
   });
 }
 
@@ -222,11 +212,16 @@ export function choice<const C extends string | number>(
   options: Options<C, C> & { readonly default: NoInfer<C> },
 ): Field<C> {
   const words = choices.map(String);
-  const allowed = words.map((word) => `"${word}"`).join(' or ');
   return field('choice', doc, options, {
     read: (value) => {
       const index = typeof value === 'string' || typeof value === 'number' ? words.indexOf(String(value)) : -1;
-      return choices[index] ?? new Mismatch(`must be ${allowed}`, suggestion(value, words));
+      return (
+        choices[index] ??
+        new Mismatch(
+          () => say('choice', words),
+          () => say('suggestion', value, words),
+        )
+      );
     },
     limits: { choices },
   });
@@ -239,7 +234,8 @@ export function name(doc: string, what = 'a name'): Field<string | undefined> {
     doc,
     {},
     {
-      read: (value) => (typeof value === 'string' && value.trim() ? value.trim() : new Mismatch(`must be ${what}`)),
+      read: (value) =>
+        typeof value === 'string' && value.trim() ? value.trim() : new Mismatch(() => say('name', what)),
       limits: {},
     },
   );

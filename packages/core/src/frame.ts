@@ -2,7 +2,7 @@
 import { subtract, scale as times, type Vec3 } from './vector.ts';
 
 export interface Frame {
-  /** The camera's position, in scene coordinates. */
+  /** The camera's position or, for one that is far away, the point where its axis gets near: see `rayStart`. */
   readonly origin: Vec3;
   /** An exact power of two: packed length = scale × scene length. */
   readonly scale: number;

@@ -9,7 +9,6 @@ import pbrNeutral from '../../../shaders/display/pbr-neutral.glsl';
 import srgb from '../../../shaders/display/srgb.glsl';
 import displayFragment from '../../../shaders/display.frag.glsl';
 import fullscreenVertex from '../../../shaders/fullscreen.vert.glsl';
-import environment from '../../../shaders/light/environment.glsl';
 import lights from '../../../shaders/light/lights.glsl';
 import metallicRoughness from '../../../shaders/material/metallic-roughness.glsl';
 import planeGlsl from '../../../shaders/shape/plane.glsl';
@@ -28,7 +27,6 @@ export const glslFiles: { readonly [file: string]: string } = {
   'display/pbr-neutral.glsl': pbrNeutral,
   'display/srgb.glsl': srgb,
   'fullscreen.vert.glsl': fullscreenVertex,
-  'light/environment.glsl': environment,
   'light/lights.glsl': lights,
   'material/metallic-roughness.glsl': metallicRoughness,
   'shape/plane.glsl': planeGlsl,

@@ -1,4 +1,4 @@
 /** `@ray-scene/core`: scenes, what they require, and the shaders and buffers that draw them. No DOM, no GL. */
-import './css-colors.ts';
+import './words.ts';
 
 export * from './on-demand.ts';

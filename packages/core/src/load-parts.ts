@@ -1,6 +1,6 @@
 import { knowsAllColors } from './color.ts';
 import type { Feature } from './features.ts';
-import type { ShaderOptions } from './generate-shader.ts';
+import { glslName, type ShaderOptions } from './generate-shader.ts';
 import { loadedParts, loadedPaths } from './parts.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
@@ -9,19 +9,32 @@ import type { Material, Scene, SceneNode } from './schema.ts';
 
 /** What comes with `more-parts.ts`. */
 const MORE_FEATURES: ReadonlySet<Feature> = new Set([
+  'metal',
+  'specularTint',
+  'specularWeight',
+  'mixedFalloff',
   'sphereChecker',
   'tiltedPlane',
   'turnedChecker',
+  'environment',
+  'gradient',
+  'backgroundEnvironment',
   'inside',
   'closeSphere',
   'through',
   'wideRange',
   'indexed',
+  'exactRays',
 ]);
 
-/** Loads the colours of CSS, without which a scene may be refused that has nothing wrong; undefined: they are there. */
-export const loadColors = (): Promise<unknown> | undefined =>
-  knowsAllColors() ? undefined : import('./css-colors.ts');
+/** What GLSL asks for that is defined only where `more-parts.ts` is there. */
+export const moreNames: readonly string[] = [...[...MORE_FEATURES].map(glslName), 'DIRECTIONAL_LIGHTS', 'VARYINGS'];
+
+/**
+ * Loads the colours of CSS, and what to say of a scene. Without them a scene may be refused that has nothing wrong, and
+ * nobody is told why; undefined: they are there.
+ */
+export const loadWords = (): Promise<unknown> | undefined => (knowsAllColors() ? undefined : import('./words.ts'));
 
 /**
  * Loads the shapes of a scene, which can be resolved, packed and traced only after that; undefined: they are all there, as
@@ -38,10 +51,10 @@ export const loadPaths = (scene: ResolvedScene, tracing: Partial<Tracing>): Prom
 
 /** Loads what the shader of a scene is made of, before it can be generated; undefined: it is all there. */
 export const loadShaderParts = (
-  { features }: Requirements,
+  { features, lights }: Requirements,
   { varyings = 0 }: ShaderOptions = {},
 ): Promise<unknown> | undefined =>
-  loadUnless(varyings === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
+  loadUnless(varyings === 0 && lights.directional === 0 && !features.some((feature) => MORE_FEATURES.has(feature)));
 
 /** Whether a scene names images, which are to be loaded first. */
 export const namesImages = ({ environment, materials, objects }: Scene): boolean =>

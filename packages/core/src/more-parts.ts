@@ -1,5 +1,7 @@
 /** What scenes need that hold other shapes than spheres and planes, or many of them. Importing this makes it known. */
 import arcTangent from '../../../shaders/arc-tangent.glsl';
+import directionalLight from '../../../shaders/light/directional.glsl';
+import environment from '../../../shaders/light/environment.glsl';
 import boxGlsl from '../../../shaders/shape/box.glsl';
 import coneGlsl from '../../../shaders/shape/cone.glsl';
 import convexGlsl from '../../../shaders/shape/convex.glsl';
@@ -32,6 +34,7 @@ import { quad } from './primitives/quad-shape.ts';
 import { torus } from './primitives/torus-shape.ts';
 import { triangle } from './primitives/triangle-shape.ts';
 import { structFromRows, varyingRows } from './varying-rows.ts';
+import { wholeFiles } from './whole-files.ts';
 
 const shapes = {
   sphere: anySphere,
@@ -48,7 +51,10 @@ const shapes = {
 registerParts({
   shapes,
   files: {
+    ...wholeFiles,
     'arc-tangent.glsl': arcTangent,
+    'light/directional.glsl': directionalLight,
+    'light/environment.glsl': environment,
     'shape/box.glsl': boxGlsl,
     'shape/cone.glsl': coneGlsl,
     'shape/convex.glsl': convexGlsl,

@@ -7,10 +7,11 @@ import { moreParts, pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
 import { placedCount, type Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
+import { frameOrigin } from './scene-needs.ts';
 import type { Light, Material } from './schema.ts';
 import { type BlockLayout, layoutBlock, layoutStruct, writeStruct } from './std140.ts';
 import { length } from './vector.ts';
-import { eyeRecord, eyeUnit, packEye, packSurroundings, type SampleNumber, surroundingsRecord } from './view-record.ts';
+import { eyeRecord, packEye, packSurroundings, type SampleNumber, surroundingsRecord } from './view-record.ts';
 
 /** The block `Scene` of a shader with these requirements; `gapless`, see `layoutStruct`. */
 export function sceneLayout(required: Requirements, { gapless = false } = {}): BlockLayout {
@@ -63,14 +64,15 @@ export const structName = (kind: string): string => `${kind[0]?.toUpperCase()}${
 export const arrayName = (kind: string): string => `${kind[0]?.toLowerCase()}${kind.slice(1)}s`;
 
 /** The space that a scene is packed in: its origin is the camera, its unit a power of two near the largest length. */
-export function packingFrame({ camera, objects, lights }: ResolvedScene): Frame {
-  const unscaled = { origin: camera.position, scale: 1 };
+export function packingFrame(scene: ResolvedScene): Frame {
+  const { objects, lights } = scene;
+  const unscaled = { origin: frameOrigin(scene), scale: 1 };
   const lengths = [
     ...objects.map(({ shape }) => primitiveOf(shape).extent(shape, unscaled)),
     ...lights.map((light) => (light.type !== 'directional' ? length(toFrame(unscaled, light.position)) : 0)),
   ];
   const largest = Math.max(...lengths);
-  return { origin: camera.position, scale: largest > 0 ? 1 / powerOfTwoBelow(largest) : 1 };
+  return { origin: unscaled.origin, scale: largest > 0 ? 1 / powerOfTwoBelow(largest) : 1 };
 }
 
 /**
@@ -140,14 +142,14 @@ function objectNumbers({ objects }: ResolvedScene, { shapes, placed }: Requireme
 export function packView(
   view: CameraFrame,
   block: BlockLayout,
-  { scale }: Pick<Frame, 'scale'>,
+  frame: Frame,
   sample: SampleNumber = { sample: 0, seed: 0 },
 ): ArrayBuffer {
   const writer = new BlockWriter(block);
   const has = (member: string): boolean => !!block.entries[0]?.struct.members.some(({ name }) => name === member);
   // The first parts of vectors by themselves, or with what is left of them.
-  const eye = packEye(view, eyeUnit(view, scale), has('corner2'));
-  writer.write('eye', 0, { ...eye, ...(has('sequence') ? pathParts().packEye(view, scale, sample) : {}) });
+  const eye = packEye(view, has('corner2'));
+  writer.write('eye', 0, { ...eye, ...(has('sequence') ? pathParts().packEye(view, frame, sample) : {}) });
   return writer.bytes;
 }
 

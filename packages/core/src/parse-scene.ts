@@ -1,8 +1,9 @@
 /** Scenes from strangers: JSON text, plain objects or what markup was read into, all through one validator. */
 import { builtInMaterials } from './built-in-materials.ts';
 import { contradiction } from './contradictions.ts';
-import { color, type Fields, LARGEST_FACTOR, Mismatch, shown, suggestion } from './fields.ts';
+import { color, type Fields, LARGEST_FACTOR, Mismatch } from './fields.ts';
 import { primitives } from './primitives/index.ts';
+import { say } from './say.ts';
 import { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
 import {
   type Background,
@@ -72,14 +73,14 @@ class SceneParser {
     try {
       return JSON.parse(text);
     } catch (error) {
-      this.#report([], `is not JSON: ${(error as Error).message}`);
+      this.#report([], say('json', (error as Error).message));
       return undefined;
     }
   }
 
   scene(input: unknown): Scene | undefined {
     if (this.problems.length > 0) return undefined;
-    const root = this.#object([], input, 'a scene');
+    const root = this.#object([], input, 'scene');
     if (!root || !this.#version(root)) return undefined;
     this.#unknownKeys([], root, rootKeys, 'scene');
     const scene = {
@@ -103,18 +104,12 @@ class SceneParser {
   #version({ version = 1 }: Raw): boolean {
     if (String(version) === '1') return true;
     const newer = Number(version) > 1;
-    this.#report(
-      ['version'],
-      newer
-        ? `version ${version} is newer than this ray-scene, which reads version 1: load a newer ray-scene`
-        : `version must be 1, not ${shown(version)}`,
-      [],
-    );
+    this.#report(['version'], newer ? say('newerVersion', version) : say('version', version), []);
     return false;
   }
 
   #node(path: Path, input: unknown, table: NodeTable, label: string, given = false): object | undefined {
-    const raw = this.#object(path, input, article(label));
+    const raw = this.#object(path, input, label);
     if (!raw) return undefined;
     const { fields, holds = [] } = table;
     this.#unknownKeys(path, raw, [...Object.keys(fields), ...holds], label);
@@ -140,14 +135,14 @@ class SceneParser {
   }
 
   #variant(path: Path, input: unknown, tables: { [kind: string]: NodeTable }, label: string): object | undefined {
-    const raw = this.#object(path, input, article(label));
+    const raw = this.#object(path, input, label);
     if (!raw) return undefined;
     const { type: kind = label === 'light' ? 'point' : undefined, ...rest } = raw;
     const table = typeof kind === 'string' && Object.hasOwn(tables, kind) ? tables[kind] : undefined;
     if (!table) {
       const kinds = Object.keys(tables);
-      const found = kind === undefined ? 'has no type' : `unknown type ${shown(kind)}${suggestion(kind, kinds)}`;
-      this.#report([...path, 'type'], `${found}. Types of ${label}: ${kinds.join(', ')}.`, path);
+      const message = kind === undefined ? say('noType', label, kinds) : say('unknownType', label, kinds, kind);
+      this.#report([...path, 'type'], message, path);
       return undefined;
     }
     const name = label === 'light' ? `${kind} light` : String(kind);
@@ -156,7 +151,7 @@ class SceneParser {
   }
 
   #sceneObject(path: Path, input: unknown): object | undefined {
-    const raw = this.#object(path, input, 'an object');
+    const raw = this.#object(path, input, 'object');
     if (!raw) return undefined;
     const own: { [name: string]: unknown } = {};
     const shape: { [name: string]: unknown } = {};
@@ -172,7 +167,7 @@ class SceneParser {
 
   #materials(input: unknown): Scene['materials'] {
     if (input === undefined) return {};
-    const raw = this.#object(['materials'], input, 'materials by name') ?? {};
+    const raw = this.#object(['materials'], input, 'materials') ?? {};
     this.#limit(['materials'], Object.keys(raw).length, 'materials');
     return Object.fromEntries(
       Object.entries(raw).map(([name, value]) => [
@@ -193,17 +188,11 @@ class SceneParser {
           number,
         ];
         if (Math.max(most, 1 / least, most / least) > LARGEST_FACTOR) {
-          const allowed = 'from 1e-12 to 1e12, and none 1e12 times another';
-          this.#report(path, `scale, with that of the groups around it, must stay ${allowed}`);
+          this.#report(path, say('scales'));
         } else this.#tree(path, node.objects, materials, [least, most]);
       } else if (node?.material !== undefined && !materials.includes(node.material)) {
         const known = [...new Set(materials)];
-        const near = suggestion(node.material, known);
-        this.#report(
-          [...path, 'material'],
-          `unknown material "${node.material}"${near}. Materials here: ${known.join(', ')}.`,
-          path,
-        );
+        this.#report([...path, 'material'], say('unknownMaterial', node.material, known), path);
       }
     });
   }
@@ -212,14 +201,14 @@ class SceneParser {
     if (value === 'environment' || value === 'transparent') return value;
     const read = backgroundColor.read(value);
     if (!(read instanceof Mismatch)) return read;
-    const problem = new Mismatch(`must be "environment", "transparent" or a colour`, read.hint);
+    const problem = new Mismatch(() => say('background'), read.hint);
     this.#report(path, problem.sentence('background', value), []);
     return undefined;
   }
 
   #text(path: Path, value: unknown): string | undefined {
     if (typeof value === 'string') return value;
-    this.#report(path, `must be a text, not ${shown(value)}`);
+    this.#report(path, say('text', value));
     return undefined;
   }
 
@@ -227,11 +216,11 @@ class SceneParser {
     const list = raw[key] ?? [];
     const path = [...above, key];
     if (!Array.isArray(list)) {
-      this.#report(path, `must be a list [ … ], not ${shown(list)}`, above.length > 0 ? above : path);
+      this.#report(path, say('list', list), above.length > 0 ? above : path);
       return [];
     }
     if (above.length > 2 * limits.depth) {
-      if (key === 'objects') this.#report(above, `groups may stand in each other ${limits.depth} deep`);
+      if (key === 'objects') this.#report(above, say('tooDeep', limits.depth));
       return [];
     }
     const room = Math.max(limits[key] - this.#counts[key], 0);
@@ -244,7 +233,7 @@ class SceneParser {
   }
 
   #limit(path: Path, count: number, key: 'lights' | 'objects' | 'materials'): void {
-    if (count > limits[key]) this.#report(path, `a scene may hold ${limits[key]} ${key}, this one has ${count}`);
+    if (count > limits[key]) this.#report(path, say('tooMany', limits[key], key, count));
   }
 
   #optional<K extends string, T>(key: K, root: Raw, read: (path: Path, value: unknown) => T | undefined) {
@@ -252,9 +241,9 @@ class SceneParser {
     return (value === undefined ? {} : { [key]: value }) as { [P in K]?: T };
   }
 
-  #object(path: Path, value: unknown, what: string): Raw | undefined {
+  #object(path: Path, value: unknown, label: string): Raw | undefined {
     if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Raw;
-    this.#report(path, `must be ${what} { … }, not ${shown(value)}`);
+    this.#report(path, say('node', label, value));
     return undefined;
   }
 
@@ -267,8 +256,7 @@ class SceneParser {
     const words = listed.filter((key) => field === 'key' || (key !== 'lights' && key !== 'objects')).map(spell);
     for (const key of Object.keys(raw)) {
       if (listed.includes(key)) continue;
-      const takes = `${capitalized(article(label))} takes: ${words.join(', ')}.`;
-      this.#report([...path, key], `unknown ${field} "${spell(key)}"${suggestion(key, words)}. ${takes}`, path);
+      this.#report([...path, key], say('unknownField', field, spell(key), label, words), path);
     }
   }
 
@@ -278,10 +266,6 @@ class SceneParser {
 }
 
 const objectTables: { readonly [kind: string]: NodeTable } = { ...primitives, group };
-
-const article = (label: string): string => `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
-
-const capitalized = (text: string): string => text[0]?.toUpperCase() + text.slice(1);
 
 const structuredCloneOf = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 

@@ -14,9 +14,10 @@ import type { Primitive } from './primitives/primitive.ts';
 import { sphere } from './primitives/sphere.ts';
 import type { Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import type { SceneNeeds } from './scene-needs.ts';
+import type { SceneNeeds, Tracing } from './scene-needs.ts';
 import type { Scene } from './schema.ts';
 import type { BlockEntry, BlockLayout, Member, RecordValues } from './std140.ts';
+import type { Vec3 } from './vector.ts';
 import type { SampleNumber } from './view-record.ts';
 
 type AnyPrimitive = Primitive<Fields, readonly Member[]>;
@@ -50,15 +51,17 @@ export interface PathParts {
   /** Shader files by name. */
   readonly files: { readonly [file: string]: string };
   /** What the integrator asks of a scene, beyond what its nodes say by themselves. */
-  needs(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number };
+  needs(scene: ResolvedScene, tracing: Tracing): { readonly features: readonly Feature[]; readonly emitters: number };
   /** What it needs of all that the nodes bring with them. */
   features(needs: SceneNeeds): ReadonlySet<Feature>;
   /** What is told of the `index`-th material, besides the rest. `emitter`: its place among the emitters, -1 for none. */
   readonly materialRecord: readonly Member[];
   packMaterial(scene: ResolvedScene, index: number, frame: Frame, emitter: number): RecordValues<readonly Member[]>;
-  /** What the shader is told of the eye besides; `scale`: the scene's in its frame. */
+  /** The origin of the space that the scene is packed in. */
+  origin(scene: ResolvedScene): Vec3;
+  /** What the shader is told of the eye besides, or instead. */
   readonly eyeRecord: readonly Member[];
-  packEye(view: CameraFrame, scale: number, sample: SampleNumber): RecordValues<readonly Member[]>;
+  packEye(view: CameraFrame, frame: Frame, sample: SampleNumber): RecordValues<readonly Member[]>;
   /** What the block `Scene` holds of so many emitters. */
   emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[];
   /** The part of a shader that tells kinds of emitters apart. */

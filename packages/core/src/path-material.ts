@@ -15,7 +15,7 @@ export const pathMaterialRecord = [
   { name: 'attenuation', type: 'vec3', when: 'attenuation' },
   { name: 'ior', type: 'float', when: 'transmission' },
   { name: 'emission', type: 'vec3', when: 'emissive' },
-  { name: 'emitter', type: 'int', when: 'emissive' },
+  { name: 'emitter', type: 'int', when: 'emissive areaEmitter' },
   { name: 'shinesInFront', type: 'float', when: 'emissive' },
   { name: 'shinesBehind', type: 'float', when: 'emissive' },
   ...imageMapRecord,

@@ -5,12 +5,16 @@ import type { Feature } from './features.ts';
 import { mappedKinds } from './image-map.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
+import { rayStart } from './ray-start.ts';
 import { hasChecker } from './requirements.ts';
 import { isEmissive, type ResolvedObject, type ResolvedScene } from './resolve-scene.ts';
-import type { SceneNeeds } from './scene-needs.ts';
+import type { SceneNeeds, Tracing } from './scene-needs.ts';
 import type { Material } from './schema.ts';
 
-export function pathNeeds(scene: ResolvedScene): { readonly features: readonly Feature[]; readonly emitters: number } {
+export function pathNeeds(
+  scene: ResolvedScene,
+  { clamp }: Partial<Tracing> = {},
+): { readonly features: readonly Feature[]; readonly emitters: number } {
   const { camera, materials, objects, around } = scene;
   const emitters = sceneEmitters(scene);
   const materialOf = ({ material }: ResolvedObject): Material => materials[material] as Material;
@@ -29,8 +33,9 @@ export function pathNeeds(scene: ResolvedScene): { readonly features: readonly F
     emissive: emissive.length > 0,
     sides: solid.length > 0 || emissive.length > 0,
     map: mapped.length > 0,
+    clamp: clamp !== undefined,
     lens: !!camera.aperture && camera.type !== 'orthographic',
-    orthographic: camera.type === 'orthographic',
+    distant: camera.type === 'orthographic' || rayStart(scene) > 0,
   };
   return {
     features: [
@@ -68,6 +73,6 @@ export function pathFeatures({ bounces, shapes, placed, emitters, features: give
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
   for (const unused of ['falloff', 'noFalloff', 'inside'] as const) set(unused, false);
   set('tiltedPlane', has('tiltedPlane') && shapes.plane + placed.plane > 0);
-  set('exactRays', has('exactRays') && !has('orthographic'));
+  set('exactRays', has('exactRays') && !has('distant'));
   return present;
 }

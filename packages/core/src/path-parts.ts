@@ -8,6 +8,7 @@ import { pathFiles } from './path-files.ts';
 import { packPathMaterial, pathMaterialRecord } from './path-material.ts';
 import { pathFeatures, pathNeeds } from './path-needs.ts';
 import { packPathEye, pathEyeRecord } from './path-view.ts';
+import { packingOrigin } from './ray-start.ts';
 
 const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) => {
   const emitters = sceneEmitters(scene);
@@ -27,6 +28,7 @@ registerPaths({
   features: pathFeatures,
   materialRecord: pathMaterialRecord,
   packMaterial: packPathMaterial,
+  origin: packingOrigin,
   eyeRecord: pathEyeRecord,
   packEye: packPathEye,
   emitterEntries,

@@ -6,7 +6,7 @@ import type { EnvironmentImage } from './environment-image.ts';
 import { type FlatObject, flatScene, type PlacedShape } from './flat-scene.ts';
 import { frameObjects } from './frame-objects.ts';
 import { primitiveOf } from './parts.ts';
-import { shapeKinds } from './primitives/index.ts';
+import { primitives, shapeKinds } from './primitives/index.ts';
 import { type Background, type Light, type Material, material, type Scene, type SceneObject } from './schema.ts';
 import { scale, type Vec3 } from './vector.ts';
 
@@ -68,7 +68,7 @@ export function resolveScene(
 ): ResolvedScene {
   const materials = new MaterialTable(scene);
   const flat = flatScene(scene);
-  const given = flat.objects.map(({ shape, object, path, cells }) => ({
+  const given = withoutTwins(flat.objects).map(({ shape, object, path, cells }) => ({
     shape,
     material: materials.indexOf(object, cells),
     path,
@@ -88,6 +88,17 @@ export function resolveScene(
     around: objectsAround(view, objects, materials.list),
     objects,
   };
+}
+
+/** Of shapes that are the same to the last digit, the first: from either side, it is in front of the others. */
+function withoutTwins(objects: readonly FlatObject[]): readonly FlatObject[] {
+  const known = new Set<string>();
+  return objects.filter(({ shape }) => {
+    const { type, place } = shape;
+    const own = Object.keys(primitives[type].fields).map((name) => shape[name as keyof PlacedShape]);
+    const key = JSON.stringify([type, place?.columns, place?.offset, own]);
+    return !known.has(key) && known.add(key);
+  });
 }
 
 const orderOf = ({ type, place }: PlacedShape): number => 2 * shapeKinds.indexOf(type) + (place ? 1 : 0);

@@ -1,17 +1,19 @@
 /** What the nodes of a scene need by themselves, before it is asked what follows from all of them together. */
+import { NARROW_FOV } from './camera-frame.ts';
 import type { Feature } from './features.ts';
 import type { Field } from './fields.ts';
 import { type DirectKind, directKinds } from './light-records.ts';
-import { pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
+import { loadedPaths, pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
 import { type ShapeKind, shapeKinds } from './primitives/index.ts';
 import { planeAxes } from './primitives/plane.ts';
 import { isEmissive, type ResolvedScene } from './resolve-scene.ts';
 import { lights, material, type Shape } from './schema.ts';
 import type { RenderSettings } from './settings.ts';
-import { length, subtract } from './vector.ts';
+import { length, subtract, type Vec3 } from './vector.ts';
 
 /** How light is followed: what of the settings bears on the shader. */
-export type Tracing = Pick<RenderSettings, 'bounces'> & Partial<Pick<RenderSettings, 'integrator' | 'output'>>;
+export type Tracing = Pick<RenderSettings, 'bounces'> &
+  Partial<Pick<RenderSettings, 'integrator' | 'output' | 'clamp'>>;
 
 export interface SceneNeeds {
   /** The most surfaces that a ray meets. */
@@ -31,7 +33,7 @@ export interface SceneNeeds {
 /** The needs of a scene, when rays may meet up to `bounces` surfaces. */
 export function sceneNeeds(scene: ResolvedScene, tracing: Tracing): SceneNeeds {
   const { bounces, integrator, output } = tracing;
-  const paths = followsPaths(scene, tracing) ? pathParts().needs(scene) : undefined;
+  const paths = followsPaths(scene, tracing) ? pathParts().needs(scene, tracing) : undefined;
   const { environment, background } = scene;
   const isImage = environment?.kind === 'image';
   const isShown = background === 'environment';
@@ -88,7 +90,7 @@ export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
 }
 
 /** Kinds of cameras and of what they show: of them, too, there is but one. */
-const views: readonly string[] = ['lens', 'orthographic', 'normal', 'depth', 'albedo'];
+const views: readonly string[] = ['lens', 'distant', 'normal', 'depth', 'albedo'];
 
 /** Whether an output shows what surfaces are like, as opposed to their light and the noise of that. */
 export const isSurfaceOutput = (output?: string): boolean => views.includes(`${output}`);
@@ -100,11 +102,14 @@ export const isSurfaceOutput = (output?: string): boolean => views.includes(`${o
 export const followsPaths = (scene: ResolvedScene, { integrator, output }: Partial<Tracing>): boolean =>
   integrator === 'path' || isSurfaceOutput(output) || !isPlain(scene);
 
-function isPlain({ camera, environment, lights: nodes, materials }: ResolvedScene): boolean {
+function isPlain({ camera, environment, lights: nodes, materials, objects }: ResolvedScene): boolean {
   return (
     camera.type !== 'orthographic' &&
+    camera.fov >= NARROW_FOV &&
     !camera.aperture &&
     environment?.kind !== 'image' &&
+    // From within a surface, both of its sides are seen.
+    objects.every(({ shape }) => primitiveOf(shape).clearance(shape, camera.position) > 0) &&
     nodes.every((light) =>
       light.type === 'directional' ? !light.angularDiameter : light.type === 'point' && !light.radius,
     ) &&
@@ -130,6 +135,9 @@ const isCloseToSphere = ({ objects, camera }: ResolvedScene): boolean =>
     ({ center, radius }) => length(subtract(center, camera.position)) < Math.SQRT2 * radius,
   );
 
+/** The origin of the space that a scene is packed in. Cameras that are far away belong to paths. */
+export const frameOrigin = (scene: ResolvedScene): Vec3 => loadedPaths()?.origin(scene) ?? scene.camera.position;
+
 /** How much longer than another a length may be before f32 needs positions in two words. */
 const WIDE_RANGE = 2 ** 10;
 
@@ -140,14 +148,15 @@ const CLOSE_UP = 2 ** 12;
  * Whether lengths differ so much that positions in f32 are not enough: small things on something as large as a planet, a
  * camera close to the surface of one, or one that looks from very far.
  */
-function hasWideRange({ objects, camera }: ResolvedScene): boolean {
-  const frame = { origin: camera.position, scale: 1 };
+function hasWideRange(scene: ResolvedScene): boolean {
+  const { objects } = scene;
+  const frame = { origin: frameOrigin(scene), scale: 1 };
   const extents = objects.map(({ shape }) => primitiveOf(shape).extent(shape, frame));
   const sizes = objects.map(({ shape }) => primitiveOf(shape).size(shape));
   return (
     Math.max(...extents) >= WIDE_RANGE * Math.min(...sizes) ||
     objects.some(
-      ({ shape }, i) => (extents[i] as number) >= CLOSE_UP * primitiveOf(shape).clearance(shape, camera.position),
+      ({ shape }, i) => (extents[i] as number) >= CLOSE_UP * primitiveOf(shape).clearance(shape, frame.origin),
     )
   );
 }

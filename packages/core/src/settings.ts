@@ -1,5 +1,6 @@
 /** How a scene is rendered, as opposed to what it is: the same kind of table as the scene's own. */
-import { choice, Mismatch, number, suggestion, type Values } from './fields.ts';
+import { choice, Mismatch, number, type Values } from './fields.ts';
+import { say } from './say.ts';
 import { SceneError } from './scene-error.ts';
 
 export const settingsFields = {
@@ -36,6 +37,9 @@ export const settingsFields = {
     max: 1000,
   }),
   pixelRatio: number('Device pixels per CSS pixel; default: those of the screen.', { above: 0, max: 16 }),
+  clamp: number('Radiance above which a sample of a path is dimmed, but for what is seen itself; none: no bias.', {
+    above: 0,
+  }),
   exposure: number('Linear factor on the radiance before tone mapping.', { default: 1, min: 0 }),
   toneMapping: choice('neutral: Khronos PBR Neutral; none: clipped. Both then encode sRGB.', ['neutral', 'none'], {
     default: 'neutral',
@@ -55,7 +59,7 @@ export const qualities: { readonly [Q in RenderSettings['quality']]: Partial<Ren
   draft: { integrator: 'direct', bounces: 4, samples: 16 },
   balanced: {},
   accurate: { bounces: 16, samples: 4096, maxError: 0.01 },
-  reference: { bounces: 64, samples: 65_536, maxError: 0.002 },
+  reference: { bounces: 16, samples: 16_384, maxError: 0.002 },
 };
 
 /**
@@ -67,7 +71,7 @@ export function parseSettings(given: { readonly [name: string]: unknown } = {}):
   const names = fields.map(([name]) => name);
   const problems = Object.keys(given)
     .filter((name) => !names.includes(name))
-    .map((name) => problem(name, `unknown setting "${name}"${suggestion(name, names)}`));
+    .map((name) => problem(name, say('unknownSetting', name, names)));
   const quality = settingsFields.quality.read(given.quality ?? 'balanced');
   const preset: { readonly [name: string]: unknown } = quality instanceof Mismatch ? {} : qualities[quality];
   const values = fields.map(([name, field]) => {

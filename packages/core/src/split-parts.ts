@@ -1,5 +1,5 @@
 /** Vectors packed in parts that hold so few bits that sums and products of them are exact in f32. */
-import { subtract, type Vec3 } from './vector.ts';
+import { rounded, subtract, type Vec3 } from './vector.ts';
 
 /**
  * The parts of a vector of length at most 1, for `splitDot` of shaders/split-dot.glsl: 11 bits after the point, the next
@@ -11,7 +11,3 @@ export function splitParts(v: Vec3): readonly [Vec3, Vec3, Vec3] {
   const second = rounded(rest, 22);
   return [first, second, subtract(rest, second)];
 }
-
-/** With so many bits after the point. */
-export const rounded = (v: Vec3, bits: number): Vec3 =>
-  v.map((x) => Math.round(x * 2 ** bits) / 2 ** bits) as unknown as Vec3;

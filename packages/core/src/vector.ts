@@ -29,3 +29,7 @@ export function normalize(a: Vec3): Vec3 {
   const size = length(a);
   return size > 0 ? [a[0] / size, a[1] / size, a[2] / size] : a;
 }
+
+/** Components with so many bits after the point. */
+export const rounded = (v: Vec3, bits: number): Vec3 =>
+  v.map((x) => Math.round(x * 2 ** bits) / 2 ** bits) as unknown as Vec3;

@@ -2,9 +2,8 @@
 import type { CameraFrame } from './camera-frame.ts';
 import { powerOfTwoBelow } from './frame.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
-import { rounded } from './split-parts.ts';
 import type { RecordValues } from './std140.ts';
-import { add, length, subtract, scale as times, type Vec3 } from './vector.ts';
+import { add, length, rounded, subtract, scale as times, type Vec3 } from './vector.ts';
 
 /** Rays through the window; see `CameraFrame` and `packEye`. Width and height are the window's, in pixels. */
 export const eyeRecord = [
@@ -22,16 +21,14 @@ export const eyeRecord = [
 export interface SampleNumber {
   readonly sample: number;
   readonly seed: number;
+  /** Radiance above which samples are dimmed. */
+  readonly clamp?: number | undefined;
 }
 
 type Halves = readonly [high: Vec3, low: Vec3];
 
-/**
- * What the vectors are multiplied by: where rays all start at one point, their length does not matter. `scale`: the
- * scene's in its frame.
- */
-export const eyeUnit = ({ orthographic, corner }: CameraFrame, scale: number): number =>
-  orthographic ? scale : 0.125 / powerOfTwoBelow(length(corner));
+/** What the vectors are multiplied by: where rays all start at one point, their length does not matter. */
+export const eyeUnit = ({ corner }: CameraFrame): number => 0.125 / powerOfTwoBelow(length(corner));
 
 /**
  * In f32, a ray towards the horizon loses the digits of its slope, the small difference of a corner and many steps. With
@@ -39,9 +36,9 @@ export const eyeUnit = ({ orthographic, corner }: CameraFrame, scale: number): n
  * 2^-23; they are below 2, up to which f32 holds those, since the corner is shorter than 1/4, and the window's sides are
  * not longer than twice the way to it.
  */
-export function packEye(frame: CameraFrame, unit: number, exact: boolean): RecordValues<typeof eyeRecord> {
+export function packEye(frame: CameraFrame, exact: boolean): RecordValues<typeof eyeRecord> {
   const [corner, stepX, stepY] = [frame.corner, frame.stepX, frame.stepY].map((v) => {
-    const whole = times(v, unit);
+    const whole = times(v, eyeUnit(frame));
     const high = exact ? rounded(whole, 22) : whole;
     return [high, subtract(whole, high)];
   }) as unknown as readonly [Halves, Halves, Halves];

@@ -36,20 +36,34 @@ export class CameraControls {
   readonly #canvas: HTMLCanvasElement;
   readonly #set: (camera: ResolvedCamera | undefined) => void;
   readonly #pointers = new Map<number, Point>();
+  readonly #changed: () => void;
+  readonly #stillness = matchMedia('(prefers-reduced-motion: reduce)');
   #zoom = 1;
 
-  /** @param set puts a camera in place of the scene's, or gives that back. */
-  constructor(host: OrbitHost, canvas: HTMLCanvasElement, set: (camera: ResolvedCamera | undefined) => void) {
+  /**
+   * @param set puts a camera in place of the scene's, or gives that back.
+   * @param changed told when the reader of the page wants no motion, or wants it again.
+   */
+  constructor(
+    host: OrbitHost,
+    canvas: HTMLCanvasElement,
+    set: (camera: ResolvedCamera | undefined) => void,
+    changed: () => void,
+  ) {
     this.#host = host;
     this.#canvas = canvas;
     this.#set = set;
     for (const type of LISTENED) canvas.addEventListener(type, this);
+    this.#changed = changed;
+    this.hold();
     canvas.after(keysText());
   }
 
-  /** Goes on with `auto-rotate`, unless somebody holds the scene. */
-  turn(seconds: number): void {
+  /** Goes on with `auto-rotate`, unless somebody holds the scene; returns whether the reader of the page wants motion. */
+  turn(seconds: number): boolean {
+    if (this.#stillness.matches) return false;
     if (this.#pointers.size === 0) this.#move((camera) => orbitCamera(camera, AUTO_ROTATION * seconds, 0));
+    return true;
   }
 
   /** From here on the zoom counts anew. */
@@ -57,9 +71,15 @@ export class CameraControls {
     this.#zoom = 1;
   }
 
-  /** Lets go of all pointers. */
+  /** To be called when the element comes into a page again. */
+  hold(): void {
+    this.#stillness.addEventListener('change', this.#changed);
+  }
+
+  /** Lets go of all pointers, and of the page. */
   release(): void {
     this.#pointers.clear();
+    this.#stillness.removeEventListener('change', this.#changed);
   }
 
   handleEvent(event: Event): void {

@@ -20,7 +20,6 @@ export class Orbit implements ReactiveController {
   #controls: CameraControls | undefined;
   #loading = false;
   #override: ResolvedCamera | undefined;
-  #stillness: MediaQueryList | undefined;
 
   constructor(host: OrbitHost, changed: () => void) {
     this.#host = host;
@@ -41,14 +40,11 @@ export class Orbit implements ReactiveController {
 
   /** Goes on with `auto-rotate`; returns whether it turns. */
   turn(seconds: number): boolean {
-    const turns = this.#host.autoRotate && !this.#stillness?.matches;
-    if (turns) this.#controls?.turn(seconds);
-    return turns;
+    return this.#host.autoRotate && !!this.#controls?.turn(seconds);
   }
 
   hostConnected(): void {
-    this.#stillness = matchMedia('(prefers-reduced-motion: reduce)');
-    this.#stillness.addEventListener('change', this.#changed);
+    this.#controls?.hold();
   }
 
   hostUpdated(): void {
@@ -56,12 +52,17 @@ export class Orbit implements ReactiveController {
     if (!canvas || this.#loading || !(this.#host.cameraControls || this.#host.autoRotate)) return;
     this.#loading = true;
     import('./camera-controls.ts').then(({ CameraControls }) => {
-      this.#controls = new CameraControls(this.#host, canvas, (camera) => (camera ? this.#set(camera) : this.reset()));
+      this.#controls = new CameraControls(
+        this.#host,
+        canvas,
+        (camera) => (camera ? this.#set(camera) : this.reset()),
+        this.#changed,
+      );
+      this.#changed();
     }, reportError);
   }
 
   hostDisconnected(): void {
-    this.#stillness?.removeEventListener('change', this.#changed);
     this.#controls?.release();
   }
 

@@ -1,5 +1,5 @@
 /** The child elements of a `<ray-scene>` as the plain object that they describe, for `parseScene` to judge. */
-import { nearestWord, type Problem, type SourceWords } from '@ray-scene/core';
+import { meantWord, type Problem, type SourceWords, say } from '@ray-scene/core';
 import { attributeOf, fieldOf } from './field-properties.ts';
 import { SceneElement, sceneElements } from './scene-elements.ts';
 
@@ -52,7 +52,7 @@ const tags = Object.keys(sceneElements);
 
 /** The tag that was meant; people also write a node's name without its prefix. */
 function nearestTag(typed: string): string | undefined {
-  const near = nearestWord(typed, [...tags, ...tags.map((tag) => tag.slice(4))]);
+  const near = meantWord(typed, [...tags, ...tags.map((tag) => tag.slice(4))]);
   return near && (tags.includes(near) ? near : `ray-${near}`);
 }
 
@@ -105,16 +105,16 @@ class MarkupReader implements Markup {
     const isGroup = kind === 'group';
     const raw = { ...strangers(element), ...element.given };
     if (element.childElementCount > 0 && !isGroup) {
-      this.#report(element, `holds other elements, as <${tag}/> does in HTML: write <${tag}></${tag}>`);
+      this.#report(element, say('holdsElements', tag));
     }
     if (kind === 'light') this.#item('lights', element, raw, group);
     else if (kind === 'camera' || kind === 'environment' || kind === 'material') {
-      if (group !== this.#root) this.#report(element, 'is of the whole scene: it cannot stand in a <ray-group>');
+      if (group !== this.#root) this.#report(element, say('notInGroup'));
       if (kind === 'material') this.#material(element, raw);
       else this.#single(kind, element, raw);
     } else {
       for (const said of isGroup ? ['type', 'lights', 'objects'] : ['type']) {
-        if (said in raw) this.#report(element, `unknown attribute "${said}": <${tag}> says it already`);
+        if (said in raw) this.#report(element, say('saidAlready', said, tag));
       }
       const lists = { lights: [], objects: [] };
       const path = this.#item('objects', element, { ...raw, ...(isGroup && lists), type: kind }, group);
@@ -124,7 +124,7 @@ class MarkupReader implements Markup {
   }
 
   #single(kind: 'camera' | 'environment', element: Element, raw: object): void {
-    if (this.#singles[kind]) this.#report(element, `a scene has one ${kind}, and this is another`);
+    if (this.#singles[kind]) this.#report(element, say('another', kind));
     this.#singles[kind] = raw;
     this.#elements.set(kind, element);
   }
@@ -137,17 +137,15 @@ class MarkupReader implements Markup {
   }
 
   #material(element: Element, { name, ...raw }: { readonly [field: string]: unknown }): void {
-    if (typeof name !== 'string' || !name.trim()) this.#report(element, 'needs a name, for objects to refer to');
-    else if (this.#materials.has(name)) this.#report(element, `another material has the name "${name}"`);
+    if (typeof name !== 'string' || !name.trim()) this.#report(element, say('nameless'));
+    else if (this.#materials.has(name)) this.#report(element, say('sameName', name));
     this.#materials.set(String(name), raw);
     this.#elements.set(`materials/${name}`, element);
   }
 
   #unknown(element: Element): void {
-    const near = nearestTag(element.localName);
-    const meant = near ? ` (did you mean <${near}>?)` : '';
-    const holds = tags.map((tag) => `<${tag}>`).join(', ');
-    this.#report(element, `unknown element <${element.localName}>${meant}. A ray-scene holds: ${holds}.`);
+    const { localName } = element;
+    this.#report(element, say('unknownElement', localName, nearestTag(localName), tags));
   }
 
   #report(element: Element, message: string): void {

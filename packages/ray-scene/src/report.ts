@@ -1,4 +1,4 @@
-import { loadColors, type Problem, SceneError } from '@ray-scene/core';
+import { loadWords, type Problem, SceneError } from '@ray-scene/core';
 import type { ErrorOverlay } from './error-overlay.ts';
 import { RaySceneErrorEvent } from './events.ts';
 
@@ -21,7 +21,7 @@ export class ErrorReport {
     const overlay = async () => {
       ErrorReport.#Overlay = (await import('./error-overlay.ts')).ErrorOverlay;
     };
-    ErrorReport.#loading ??= Promise.all([loadColors(), overlay()])
+    ErrorReport.#loading ??= Promise.all([loadWords(), overlay()])
       .catch(reportError)
       .then(() => {
         ErrorReport.#isLoaded = true;

@@ -135,10 +135,10 @@ export class Sampling {
     const { width, height, cells } = accumulation;
     const tile = room < width * height ? cells.next(Math.max(1, Math.floor(room / CELL_PIXELS))) : cells.next(Infinity);
     // A function of the sample alone, so that tiles make no difference.
-    const { seed } = this.#view.settings;
+    const { seed, clamp } = this.#view.settings;
     const sample = cells.countOf(tile);
     const frame = cameraFrame(camera, width, height, pixelSample(sample, seed));
-    accumulation.add(() => this.#tracer?.draw(frame, { sample, seed }), tile);
+    accumulation.add(() => this.#tracer?.draw(frame, { sample, seed, clamp }), tile);
     return cells.pixelsOf(tile);
   }
 

@@ -1,12 +1,5 @@
 import { ReactiveElement } from '@lit/reactive-element';
-import {
-  Mismatch,
-  type Problem,
-  parseSettings,
-  type RenderSettings,
-  settingsFields,
-  suggestion,
-} from '@ray-scene/core';
+import { Mismatch, type Problem, parseSettings, type RenderSettings, say, settingsFields } from '@ray-scene/core';
 import type { RaySceneEvents } from './events.ts';
 import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
 import { unknownAttributes } from './read-markup.ts';
@@ -39,7 +32,7 @@ class LitSettingsElement extends ReactiveElement implements FieldHost {
       return {
         path: [],
         where,
-        message: `unknown attribute "${name}"${suggestion(name, known)}. A ${where} takes: ${known.join(', ')}.`,
+        message: say('unknownField', 'attribute', name, where, known),
       };
     });
     const unreadable = Object.entries(settingsFields).flatMap(([name, field]) => {

@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from '@lit/reactive-element';
-import { jsonPath, namesImages, type Scene, type SourceWords } from '@ray-scene/core';
+import { jsonPath, namesImages, type Scene, type SourceWords, say } from '@ray-scene/core';
 import { Download } from './download.ts';
 import { isSceneMarkup, readMarkup } from './read-markup.ts';
 import { absolute, judge, type Reading } from './reading.ts';
@@ -106,8 +106,7 @@ export class SceneSource implements ReactiveController {
       ...(elements.length > 0 ? ['child elements'] : []),
     ];
     if (sources.length > 1) {
-      const message = `has ${sources.length} scenes: ${sources.join(', ')}. Keep one of them.`;
-      return { origin: 'several', problems: [{ path: [], where: localName, message }] };
+      return { origin: 'several', problems: [{ path: [], where: localName, message: say('severalScenes', sources) }] };
     }
     if (src) return this.#downloaded(src);
     this.#stop();

@@ -2,6 +2,7 @@
 import {
   type BlockLayout,
   type CameraFrame,
+  type Frame,
   generateShader,
   packingFrame,
   packScene,
@@ -25,7 +26,7 @@ export class Tracer {
   readonly #scene: UniformBlock;
   readonly #view: UniformBlock;
   #textures: SceneTextures | undefined;
-  #frame = { scale: 1 };
+  #frame: Frame = { origin: [0, 0, 0], scale: 1 };
 
   /** @throws {Error} when the scene has more in it than the GPU takes. */
   constructor(gl: WebGL2RenderingContext, programs: ProgramCache, required: Requirements, options: ShaderOptions) {

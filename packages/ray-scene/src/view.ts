@@ -112,8 +112,8 @@ export class View {
 }
 
 /** Equal for settings that give the same samples. */
-const traced = ({ bounces, integrator, seed, output }: RenderSettings): string =>
-  `${[bounces, integrator, seed, isSurfaceOutput(output) && output]}`;
+const traced = ({ bounces, integrator, seed, output, clamp }: RenderSettings): string =>
+  `${[bounces, integrator, seed, clamp, isSurfaceOutput(output) && output]}`;
 
 /** Equal for lists of the same objects, whatever their numbers. */
 const objectSet = (objects: Scene['objects']): string =>

@@ -40,7 +40,8 @@ export const plane = definePrimitive({
   // A level plane needs no more than f32 however near it is.
   clearance(shape, point) {
     const { normal } = planeAxes(shape);
-    return Math.abs(normal[1]) === 1 ? Number.POSITIVE_INFINITY : Math.abs(dot(normal, subtract(point, shape.point)));
+    const height = Math.abs(dot(normal, subtract(point, shape.point)));
+    return height > 0 && Math.abs(normal[1]) === 1 ? Number.POSITIVE_INFINITY : height;
   },
   side: (shape, point) => (dot(planeAxes(shape).normal, subtract(point, shape.point)) < 0 ? -1 : 1),
   farSide: (shape, direction) => Math.sign(dot(planeAxes(shape).normal, direction)) as 1 | 0 | -1,

@@ -35,11 +35,15 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
   let media = startMedia(scene);
   let scattered: Scattered = { from: ray.origin, object: undefined, pdf: 0 };
   let refraction = 1;
+  // What shines where the camera sees it.
+  let seen: Vec3 = [0, 0, 0];
+  const total = (): Rgba => [...add(seen, dimmed(radiance, scene.clamp)), 1];
   for (let event = 0; ; event++) {
     const hit = nearest(scene, ray);
     if (!hit) {
       if (event === 0) return backdrop(scene, ray.direction);
-      return [...add(radiance, multiply(throughput, escaped(scene, ray.direction, scattered))), 1];
+      radiance = add(radiance, multiply(throughput, escaped(scene, ray.direction, scattered)));
+      return total();
     }
     throughput = multiply(throughput, transmittance(scene, media, hit.t));
     const vertex = vertexAt(scene, ray, hit);
@@ -48,7 +52,8 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
       emissionWeight(scene, vertex, ray, hit.t, scattered),
     );
     radiance = add(radiance, multiply(throughput, emission));
-    if (event === bounces) return [...radiance, 1];
+    if (event === 0) [seen, radiance] = [radiance, [0, 0, 0]];
+    if (event === bounces) return total();
 
     const bsdf = bsdfAt(scene, vertex, media);
     const wo = toLocal(vertex.frame, negate(ray.direction));
@@ -63,20 +68,26 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
       ? mirrorSample(bsdf, wo, sample2d(sampler, SETS.roulette + SETS.perEvent * event)[1])
       : scatter(bsdf, wo, sampler, event);
     throughput = multiply(throughput, onward.weight);
-    if (!throughput.some((channel) => channel > 0)) return [...radiance, 1];
+    if (!throughput.some((channel) => channel > 0)) return total();
     if (onward.wi[2] < 0 && vertex.closed) {
       media = vertex.front ? enter(media, vertex.object) : leave(media, vertex.object);
       refraction *= bsdf.eta * bsdf.eta;
     }
     if (event >= ROULETTE_FROM && !scene.whitted) {
       const survival = Math.min(1, Math.max(...throughput) * refraction);
-      if (sample2d(sampler, SETS.roulette + SETS.perEvent * event)[0] >= survival) return [...radiance, 1];
+      if (sample2d(sampler, SETS.roulette + SETS.perEvent * event)[0] >= survival) return total();
       throughput = scale(throughput, 1 / survival);
     }
     scattered = { from: vertex.position, object: vertex.object, pdf: onward.pdf };
     ray = { origin: vertex.position, direction: toWorld(vertex.frame, onward.wi), own: vertex.object };
   }
 }
+
+/** Dimmed, not cut channel by channel: its colour stays. */
+const dimmed = (radiance: Vec3, most: number): Vec3 => {
+  const largest = Math.max(...radiance);
+  return largest > most ? scale(radiance, most / largest) : radiance;
+};
 
 /** One light, chosen at random, that is asked at an event. */
 function lightAsked(scene: PathScene, { position, object }: Vertex, sampler: Sampler, event: number) {

@@ -1,6 +1,7 @@
 /** The reference renderer: the same rays and the same random numbers as the shader, in f64. */
 import { type CameraFrame, cameraFrame, cameraRay } from '../camera-frame.ts';
 import { pixelSample, pixelSampler, type Sampler, sample2d } from '../random.ts';
+import { rayStart } from '../ray-start.ts';
 import { type EnvironmentImages, resolveScene } from '../resolve-scene.ts';
 import { followsPaths, isSurfaceOutput } from '../scene-needs.ts';
 import type { Scene } from '../schema.ts';
@@ -36,9 +37,10 @@ export interface ReferenceImage {
  */
 export function renderReference(scene: Scene, settings: ReferenceSettings): ReferenceImage {
   const { width, height, images, nudge = [0, 0, 0], ...rest } = settings;
-  const { samples, seed, bounces, integrator, output } = parseSettings(rest);
+  const { samples, seed, bounces, integrator, output, clamp } = parseSettings(rest);
   const resolved = resolveScene(scene, width / height, undefined, images);
-  const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator) : undefined;
+  const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator, clamp) : undefined;
+  const ahead = rayStart(resolved);
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
     const frame = cameraFrame(resolved.camera, width, height, pixelSample(sample, seed));
@@ -46,9 +48,9 @@ export function renderReference(scene: Scene, settings: ReferenceSettings): Refe
       const [x, row] = [pixel % width, Math.floor(pixel / width)];
       const y = height - 1 - row;
       const sampler = pixelSampler(x, y, sample, seed);
-      const ray = nudged(rayThrough(frame, x, y, sampler), nudge);
+      const ray = nudged(rayThrough(frame, x, y, sampler, ahead), nudge);
       const rgba = isSurfaceOutput(output)
-        ? firstSurface(resolved, ray, output, frame.focus)
+        ? firstSurface(resolved, ray, output, frame)
         : paths
           ? path(paths, ray, bounces, sampler)
           : direct(resolved, ray, bounces);
@@ -60,11 +62,11 @@ export function renderReference(scene: Scene, settings: ReferenceSettings): Refe
   return { width, height, data };
 }
 
-function rayThrough(frame: CameraFrame, x: number, y: number, sampler: Sampler): Ray {
+function rayThrough(frame: CameraFrame, x: number, y: number, sampler: Sampler, ahead: number): Ray {
   const [angle, area] = frame.lens ? sample2d(sampler, LENS_SET) : [0, 0];
   const [right, up] = circle(angle);
   const onLens = [right * Math.sqrt(area), up * Math.sqrt(area)] as const;
-  const { start, direction } = cameraRay(frame, x + 0.5, y + 0.5, onLens);
+  const { start, direction } = cameraRay(frame, x + 0.5, y + 0.5, onLens, ahead);
   return { origin: add(frame.origin, start), direction };
 }
 
