@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import '@ray-scene/core/parts';
 import { generateShader, packScene, parseScene, requirements, resolveScene } from '@ray-scene/core';
 import fc from 'fast-check';
 import { layoutBlock, layoutStruct } from '../../packages/core/src/std140.ts';

@@ -30,10 +30,11 @@ export function plotTrade(choices: readonly Choice[], presets: readonly Preset[]
     width: WIDTH,
     height: HEIGHT,
     marginLeft: 60,
+    marginRight: 40,
     grid: true,
     style: { background: 'white', color: 'black' },
     x: { type: 'log', label: 'ms for a picture of 96 × 64 →' },
-    y: { type: 'log', label: '↑ error, % (noise and bias together)' },
+    y: { type: 'log', label: '↑ error, % (noise and bias together)', tickFormat: '~r' },
     color: { domain: ['path', 'direct', 'fewer pixels'], range: ['#1f77b4', '#d95f02', '#999999'], legend: false },
     marks: [
       Plot.line(marks, { ...place, z: 'name', stroke: 'group', strokeOpacity: 0.35 }),
