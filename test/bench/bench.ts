@@ -8,6 +8,7 @@ import { Gpu } from '../truth/gpu-side.ts';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
 import { type Convergence, measureConvergence, printConvergence } from './convergence.ts';
+import { GOVERNED_PAGE, measureGoverned, printGovernedFoot, printGovernedHead } from './governed.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
 import { type BenchOptions, oneOf, readOptions, USAGE } from './options.ts';
 import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
@@ -68,13 +69,23 @@ async function benchConvergence(browser: Browser, scenes: readonly SceneToBench[
   return { convergence };
 }
 
+async function benchAdaptive(browser: Browser, scenes: readonly SceneToBench[], { maxError, samples }: BenchOptions) {
+  const started = await startBrowser(browser, GOVERNED_PAGE);
+  printGovernedHead(maxError);
+  const adaptive = await measureGoverned(started, scenes, maxError, samples);
+  await started.close();
+  printGovernedFoot(adaptive);
+  return { maxError, adaptive };
+}
+
 async function benchScenes(browser: Browser, scenes: readonly SceneToBench[], plan: Plan) {
   const result = { scenes: await measure(() => startBrowser(browser), scenes, plan) };
   printScenes(result.scenes, plan);
   return result;
 }
 
-async function bench({ quick, parts, scene, engine, json }: BenchOptions) {
+async function bench(options: BenchOptions) {
+  const { quick, parts, scene, engine, json } = options;
   const scenes = scenesToBench(scene);
   const browser = await wantedBrowser(engine);
   const plan = quick ? QUICK : THOROUGH;
@@ -87,6 +98,7 @@ async function bench({ quick, parts, scene, engine, json }: BenchOptions) {
     bundle,
     ...(parts.includes('primitives') && (await benchPrimitives(browser, plan))),
     ...(parts.includes('convergence') && (await benchConvergence(browser, scenes))),
+    ...(parts.includes('adaptive') && (await benchAdaptive(browser, scenes, options))),
     ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),
   };
   if (!parts.includes('trade')) return write(json, result);

@@ -3,7 +3,7 @@ import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
 
 /** What is measured; without a wish both of the first two are. */
-export const PARTS = ['scenes', 'trade', 'primitives', 'convergence'] as const;
+export const PARTS = ['scenes', 'trade', 'primitives', 'convergence', 'adaptive'] as const;
 export type Part = (typeof PARTS)[number];
 
 export const USAGE = `npm run bench -- [options]
@@ -14,6 +14,9 @@ Measures how long scenes take, and what each setting costs and buys.
   --only trade        each example scene with each setting: time, noise, bias, PSNR, FLIP; how well noise is known
   --only primitives   shapes of each kind by the engine's formulas and by those of textbooks; also --primitives
   --only convergence  how fast the noise of paths goes down in each example; also --convergence
+  --only adaptive     what it brings that samples go where the error is, its bias, and the noise at the stop; also --adaptive
+  --max-error N       what adaptive stops at (default: 0.05)
+  --samples N         where adaptive gives up (default: 2048)
   --scene NAME        only this one of examples/scenes
   --engine NAME       ${ENGINES.join(', ')} (default: chromium)
   --quick             fewer turns, and of the settings only path and direct: under 3 minutes
@@ -30,6 +33,8 @@ export interface BenchOptions {
   readonly parts: readonly Part[];
   readonly scene: string | undefined;
   readonly engine: string;
+  readonly maxError: number;
+  readonly samples: number;
   readonly json: string | undefined;
   readonly from: string | undefined;
   readonly report: boolean;
@@ -52,11 +57,14 @@ export function readOptions(args: readonly string[]): BenchOptions {
       presets: { type: 'boolean', default: false },
       primitives: { type: 'boolean', default: false },
       convergence: { type: 'boolean', default: false },
+      adaptive: { type: 'boolean', default: false },
+      'max-error': { type: 'string', default: '0.05' },
+      samples: { type: 'string', default: '2048' },
       help: { type: 'boolean', default: false },
     },
   });
   const {
-    only = values.primitives ? 'primitives' : values.convergence ? 'convergence' : undefined,
+    only = (['primitives', 'convergence', 'adaptive'] as const).find((part) => values[part]),
     quick,
     scene,
     engine,
@@ -73,6 +81,8 @@ export function readOptions(args: readonly string[]): BenchOptions {
     parts: only === undefined ? ['scenes', 'trade'] : [only as Part],
     scene,
     engine,
+    maxError: Number(values['max-error']),
+    samples: Number(values.samples),
     json: values.json,
     from: values.from,
     report,

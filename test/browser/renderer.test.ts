@@ -283,7 +283,7 @@ describe('a picture that takes longer than a frame', () => {
       pixels += gl.getParameter(gl.FRAMEBUFFER_BINDING) ? width * height : 0;
       drawArrays.apply(gl, args);
     };
-    device.clock.endBatch = (_owner, _start, done) => {
+    device.clock.endBatch = (_owner, done) => {
       done((100 * pixels) / 256 ** 2);
       most = Math.max(most, pixels);
       pixels = 0;
@@ -337,6 +337,27 @@ describe('a picture that takes longer than a frame', () => {
     expect(canvas.width).to.equal(256);
     expect(brightness() / moving).to.be.closeTo(1, 0.02);
     expect(most).to.be.at.most(256 ** 2 / 10);
+  });
+
+  it('becomes finer at rest until it is whole, within the time of a frame', () => {
+    renderer.setCamera(turned(1));
+    const widths = new Set<number>();
+    while (renderer.samples < 1) {
+      renderer.draw(10);
+      widths.add(canvas.width);
+    }
+    expect([...widths]).to.deep.equal([64, 128, 256]);
+    expect(most).to.be.at.most(256 ** 2 / 10);
+  });
+
+  it('shows something with the first draw, however slow the GPU may be', () => {
+    const first = new Renderer(canvas, device);
+    first.resize(1000, 1000);
+    first.setScene(ballOnPlane);
+    first.draw(1);
+    expect(first.isShown).to.equal(true);
+    expect(canvas.width).to.be.within(64, 256);
+    first.dispose();
   });
 
   it('is drawn at once where that takes hardly longer than a frame', () => {

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import fc from 'fast-check';
-import { Cells } from '../../packages/ray-scene/src/cells.ts';
+import { AdaptiveOrder } from '../../packages/ray-scene/src/adaptive-order.ts';
+import { Cells, type Tile } from '../../packages/ray-scene/src/cells.ts';
 import { Pace } from '../../packages/ray-scene/src/pace.ts';
 import { FEWEST_SAMPLES, stopReason } from '../../packages/ray-scene/src/stop-rules.ts';
 
@@ -34,6 +35,62 @@ test('a tile that may be as large as the picture is the picture', () => {
   assert.equal(cells.pixelsOf(cells.whole), 600 * 400);
 });
 
+/** Noise of cells with such spreads of a sample, where they have so many. */
+function noiseOf(cells: Cells, spreads: readonly number[]) {
+  const errors = Float32Array.from(
+    cells.counts,
+    (count, i) => (spreads[i % spreads.length] as number) / Math.sqrt(count),
+  );
+  return { cells: errors, counts: cells.counts.slice() };
+}
+
+const squareOfError = (cells: Cells, spreads: readonly number[]): number =>
+  cells.counts.reduce((sum, count, i) => sum + (spreads[i % spreads.length] as number) ** 2 / count, 0) /
+  cells.counts.length;
+
+const spread = fc.double({ min: 0, max: 1, noNaN: true });
+
+test('samples that go where the error is leave less of it than as many that go everywhere', () => {
+  fc.assert(
+    fc.property(fc.array(spread, { minLength: 1, maxLength: 60 }), fc.integer({ min: 1, max: 9 }), (spreads, most) => {
+      const cells = new Cells(256, 256);
+      for (let i = 0; i < 16; i++) cells.add(cells.whole);
+      const order = new AdaptiveOrder(noiseOf(cells, spreads));
+      while (cells.rays < 64 * 256 * 256) {
+        const tile = order.next(cells, most, 1000);
+        if (!tile) break;
+        assert.ok(tile.count <= most);
+        cells.add(tile);
+      }
+      const even = spreads.reduce(
+        (sum, s, i) => sum + s ** 2 * [...cells.counts].filter((_, j) => j % spreads.length === i).length,
+        0,
+      );
+      const evenly = even / cells.counts.length / (cells.rays / 256 ** 2);
+      assert.ok(squareOfError(cells, spreads) <= 1.01 * evenly);
+    }),
+  );
+});
+
+test('cells of half the spread get half the samples, calm ones a quarter of the mean, none more than it may', () => {
+  const cells = new Cells(128, 32);
+  for (let i = 0; i < 16; i++) cells.add(cells.whole);
+  const order = new AdaptiveOrder(noiseOf(cells, [1, 0.5, 1, 0]));
+  while (cells.rays < 200 * 128 * 32) cells.add(order.next(cells, 4, 1000) as Tile);
+  const [first, second, third, calm] = cells.counts as unknown as [number, number, number, number];
+  assert.ok(Math.abs(first / third - 1) < 0.02);
+  assert.ok(Math.abs(first / second - 2) < 0.04);
+  assert.ok(calm > 16 && calm < second);
+  for (let tile = order.next(cells, 4, 400); tile; tile = order.next(cells, 4, 400)) cells.add(tile);
+  assert.deepEqual([...cells.counts], [400, 400, 400, 400]);
+});
+
+test('without noise nobody is to have more than others', () => {
+  const cells = new Cells(64, 64);
+  cells.add(cells.whole);
+  assert.equal(new AdaptiveOrder(noiseOf(cells, [0])).next(cells, 4, 100), undefined);
+});
+
 test('a pace forgets what the first measurement had too much, and follows', () => {
   const pace = new Pace();
   assert.equal(pace.isKnown, false);
@@ -42,7 +99,7 @@ test('a pace forgets what the first measurement had too much, and follows', () =
   pace.learn(1, 1000);
   assert.equal(pace.msFor(1000), 1);
   assert.equal(pace.pixelsIn(12), 12_000);
-  for (let i = 0; i < 10; i++) pace.learn(100, 1000);
+  for (let i = 0; i < 20; i++) pace.learn(100, 1000);
   assert.ok(pace.msFor(1000) > 99);
 });
 

@@ -15,6 +15,9 @@ import type { Precision } from './render-device.ts';
 export interface Noise {
   /** Samples per pixel, at least, when it was measured. */
   readonly samples: number;
+  /** Samples of all pixels together, at that time, and how many the pixels of each cell had. */
+  readonly rays: number;
+  readonly counts: Uint32Array;
   /** The factor on the radiance. */
   readonly exposure: number;
   /** Root of the mean, over pixels and channels, of variance / (mean² + 0.01). */
@@ -97,8 +100,9 @@ export class NoiseMeter {
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.#buffer);
     gl.readPixels(0, 0, this.#cells.width, this.#cells.height, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    const { samples } = accumulation;
-    return () => ({ samples, exposure, ...this.#read() });
+    const { samples, cells } = accumulation;
+    const measured = { samples, exposure, rays: cells.rays, counts: cells.counts.slice() };
+    return () => ({ ...measured, ...this.#read() });
   }
 
   dispose(): void {

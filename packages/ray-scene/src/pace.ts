@@ -1,7 +1,9 @@
 /** How fast samples come, and so how many pixels fit into a time. */
 
-/** The first pixels, of which nobody knows how long they take: few enough even for a slow GPU. */
-const FIRST_PIXELS = 2 ** 16;
+/** The first pixels, of which nobody knows how long they take: few enough even where a processor draws them. */
+const FIRST_PIXELS = 2 ** 15;
+
+const SLOWER = 1.5;
 
 export class Pace {
   #msPerPixel = 0;
@@ -22,11 +24,11 @@ export class Pace {
 
   /**
    * Takes a measurement. It may hold the time that a driver took for the program, or that nobody looked: so a faster one is
-   * believed at once, a slower one by half.
+   * believed at once, a slower one by half, and not how much slower it seems.
    */
   learn(ms: number, pixels: number): void {
     const measured = ms / pixels;
     const before = this.#msPerPixel || measured;
-    this.#msPerPixel = Math.min(measured, (before + measured) / 2);
+    this.#msPerPixel = Math.min(measured, (before + measured) / 2, SLOWER * before);
   }
 }

@@ -61,7 +61,8 @@ export class Picture {
   draw(camera: ResolvedCamera | undefined, budgetMs: number): Progress {
     this.#renderer.setCamera(camera);
     const before = this.#renderer.samples;
-    const more = this.#renderer.draw(budgetMs) || this.#renderer.isMeasuring;
+    const waits = budgetMs > 0 && this.#renderer.isBehind;
+    const more = waits || this.#renderer.draw(budgetMs) || this.#renderer.isMeasuring;
     const { samples, isShown: shown, stopped, stats } = this.#renderer;
     return { samples, added: samples !== before, shown, more, stopped, error: stats.error };
   }

@@ -12,7 +12,7 @@ import { Display } from './display.ts';
 import type { NoiseWatch } from './noise-watch.ts';
 import type { Quarantine } from './quarantine.ts';
 import { type DeviceView, type Precision, RenderDevice } from './render-device.ts';
-import { Sampling } from './sampling.ts';
+import { type Preview, Sampling } from './sampling.ts';
 import type { StopReason } from './stop-rules.ts';
 import { View } from './view.ts';
 
@@ -20,6 +20,9 @@ export { ShaderError } from './program.ts';
 export { QuarantineError } from './quarantine.ts';
 export { type Precision, RenderDevice, type RenderDeviceOptions, WebGLUnavailableError } from './render-device.ts';
 export type { StopReason } from './stop-rules.ts';
+
+/** By how much rays must have become more for a picture to be shown anew: showing it takes time as well. */
+const VISIBLE = 1.05;
 
 /** Of the time between two draws no more counts as time spent on a picture: nobody asked for one meanwhile. */
 const LONGEST_PAUSE_MS = 1000;
@@ -77,7 +80,8 @@ export class Renderer {
   #begun = -1;
   /** Which revision of the view the canvas shows. */
   #shown = -1;
-  #presented = false;
+  /** How many rays the picture is made of that the canvas shows. */
+  #presented = 0;
   #stopped: StopReason | undefined;
   #milliseconds = 0;
   #lastDraw = Number.NEGATIVE_INFINITY;
@@ -118,7 +122,7 @@ export class Renderer {
 
   setSettings(settings: RenderSettings): void {
     this.#view.settings = settings;
-    this.#presented = false;
+    this.#presented = 0;
     this.#stopped = undefined;
   }
 
@@ -159,6 +163,14 @@ export class Renderer {
   /** Whether the canvas shows the view as it is now, be it by a preview. */
   get isShown(): boolean {
     return this.#shown === this.#view.revision;
+  }
+
+  /**
+   * Whether the GPU is so far behind that more work would only make it later. That it is not any more
+   * is known in a later task only.
+   */
+  get isBehind(): boolean {
+    return this.#device.clock.batchesOf(this.#listener) > (this.#sampling.pace.isKnown ? 1 : 0);
   }
 
   /** Samples that each pixel of the present scene has. */
@@ -230,29 +242,30 @@ export class Renderer {
     // The last good picture stays until there is a program for another.
     if (!accumulation) return true;
     const { settings } = this.#view;
-    if (
-      this.#begin(start) &&
-      settings.output === 'beauty' &&
-      this.#showPreview(start, budgetMs || settings.frameBudget)
-    ) {
+    const isNew = this.#begin(start);
+    const preview = settings.output === 'beauty' && this.#sampling.preview(isNew, budgetMs || settings.frameBudget);
+    if (preview) {
+      this.#showPreview(start, preview);
       return true;
     }
     this.#stopped ??= this.#reasonToStop(accumulation);
     const adds = !this.#stopped && (budgetMs > 0 || accumulation.samples === 0);
-    const pixels = adds ? this.#sampling.add(budgetMs || settings.frameBudget, settings.samples) : 0;
+    const order = this.#watch?.order(settings);
+    const pixels = adds ? this.#sampling.add(budgetMs || settings.frameBudget, settings.samples, order) : 0;
     this.#spend(start);
     this.#stopped ??= this.#reasonToStop(accumulation);
     if (accumulation.samples > 1 || settings.maxTime || settings.output !== 'beauty') this.#loadWatch();
     const collect = this.#watch?.begin(accumulation, settings, this.#stopped !== undefined);
     if (pixels > 0 || collect) {
       const { pace } = this.#sampling;
-      this.#device.clock.endBatch(this.#listener, start, (ms) => {
+      this.#device.clock.endBatch(this.#listener, (ms) => {
         if (pixels > 0) pace.learn(ms, pixels);
         collect?.();
-        if (collect && settings.output === 'error') this.#presented = false;
+        if (collect && settings.output === 'error') this.#presented = 0;
       });
     }
-    if (accumulation.samples > 0 && (pixels > 0 || !this.#presented)) this.#present(accumulation);
+    const enough = this.#presented * (this.#stopped ? 1 : VISIBLE);
+    if (accumulation.samples > 0 && accumulation.cells.rays > enough) this.#present(accumulation);
     return !this.#stopped;
   }
 
@@ -264,15 +277,12 @@ export class Renderer {
       .then(this.onrestored, (error: Error) => this.#fail(error));
   }
 
-  /** Shows a smaller picture, if a whole one takes too long. */
-  #showPreview(start: number, budgetMs: number): boolean {
-    const preview = this.#sampling.preview(budgetMs);
-    if (!preview) return false;
+  #showPreview(start: number, { picture, pixels }: Preview): void {
     const { pace } = this.#sampling;
-    this.#device.clock.endBatch(this.#listener, start, (ms) => pace.learn(ms, preview.cells.rays));
+    this.#device.clock.endBatch(this.#listener, (ms) => pace.learn(ms, pixels));
     this.#spend(start);
-    this.#present(preview);
-    return true;
+    if (picture.samples > 0) this.#present(picture);
+    this.#loadWatch();
   }
 
   /** A new picture, if the view is another one: returns whether it is. */
@@ -281,7 +291,7 @@ export class Renderer {
     if (this.#begun === revision) return false;
     this.#begun = revision;
     this.#stopped = undefined;
-    this.#milliseconds = 0;
+    this.#presented = this.#milliseconds = 0;
     this.#lastDraw = now;
     this.#watch?.restart();
     return true;
@@ -326,7 +336,7 @@ export class Renderer {
       draw = () => watch.draw(output, accumulation);
     }
     this.#device.present(this.#context, width, height, draw);
-    this.#presented = true;
+    this.#presented = accumulation.cells.rays;
   }
 
   #displayFor(toneMapping: RenderSettings['toneMapping']): Display {

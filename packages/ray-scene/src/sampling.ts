@@ -1,6 +1,7 @@
 /** The samples of a view on the GPU: what they are traced with, what they are gathered in, and how fast they come. */
 import { cameraFrame, loadPaths, loadShaderParts, pixelSample, requirementsKey } from '@ray-scene/core';
 import { Accumulation } from './accumulation.ts';
+import type { AdaptiveOrder } from './adaptive-order.ts';
 import { CELL_PIXELS } from './cells.ts';
 import { Pace } from './pace.ts';
 import type { RenderDevice } from './render-device.ts';
@@ -8,10 +9,20 @@ import type { SceneTextures } from './scene-textures.ts';
 import { Tracer } from './tracer.ts';
 import type { View } from './view.ts';
 
-/** How many budgets a first sample of all pixels may take. One that takes more is drawn in tiles, after a preview. */
+/** How many budgets a first sample of all pixels may take. One that takes more is drawn in tiles, after previews. */
 const AT_ONCE = 1.5;
+/** With fewer pixels nothing can be recognised: where even they take longer than a budget, so be it. */
+const FEWEST_PIXELS = 2 ** 12;
+/** How often the pixels of a preview are doubled for the next: all of them together take a third of a sample. */
+const FINER = 2;
 /** How far the pace may move, as a power of two, before previews of another size are made. */
 const SLACK = 0.25;
+
+/** A smaller picture, and how many pixels were drawn just now. It is to be shown when it is whole. */
+export interface Preview {
+  readonly picture: Accumulation;
+  readonly pixels: number;
+}
 
 export class Sampling {
   /** Replaced when another program makes earlier measurements worthless. */
@@ -24,8 +35,9 @@ export class Sampling {
   #tracer: Tracer | undefined;
   #accumulation: Accumulation | undefined;
   #preview: Accumulation | undefined;
-  /** How often the pixels of a preview are halved. */
+  /** How often the pixels of the preview are halved, and those of the first one of a view. */
   #halvings = 0;
+  #coarsest = 0;
   /** What puts images on the GPU, once a scene has one. */
   #Textures: typeof SceneTextures | undefined;
   /** Which revision of the view the samples are of. */
@@ -74,42 +86,36 @@ export class Sampling {
   }
 
   /**
-   * Draws a smaller picture of the view, of as many pixels as the budget has time for; undefined: a whole one can be drawn
-   * at once, or nobody knows yet. To be called when prepared.
+   * Draws at a smaller picture of the view: first one of as many pixels as the budget has time for, at once, then finer
+   * ones; undefined: it is time for the picture itself. To be called when prepared.
+   * @param isNew whether the view has changed.
    */
-  preview(budgetMs: number): Accumulation | undefined {
-    const { width, height } = this.#view;
-    const budgets = this.pace.msFor(width * height) / budgetMs;
-    if (budgets <= AT_ONCE) return undefined;
-    // In steps that a pace which wavers does not cross again and again.
-    const halvings = Math.log2(budgets);
-    const spare = this.#halvings - halvings;
-    if (spare < -SLACK || spare > 1 + SLACK) this.#halvings = Math.ceil(halvings);
-    const [w, h] = [width, height].map((length) => Math.max(1, Math.round(length * 2 ** (-this.#halvings / 2))));
-    this.#preview = this.#fitted(this.#preview, w as number, h as number);
-    this.#preview.clear();
-    this.#addTile(this.#preview, width * height);
-    return this.#preview;
+  preview(isNew: boolean, budgetMs: number): Preview | undefined {
+    const isNext = isNew || this.#preview?.samples;
+    if (isNew) this.#halvings = this.#coarsest = this.#coarse(budgetMs);
+    else if (isNext) this.#halvings = Math.max(0, this.#halvings - FINER);
+    if (this.#halvings === 0) return undefined;
+    if (isNext) {
+      const { width, height } = this.#view;
+      const shorter = (length: number) => Math.max(1, Math.round(length * 2 ** (-this.#halvings / 2)));
+      this.#preview = this.#fitted(this.#preview, shorter(width), shorter(height));
+      this.#preview.clear();
+    }
+    const picture = this.#preview as Accumulation;
+    return { picture, pixels: this.#fill(picture, isNew ? Infinity : budgetMs, 1) };
   }
 
   /**
    * Adds samples for about as long as the budget lasts, at least one tile. To be called when prepared. Returns how many
    * pixels it took.
    * @param most samples that a pixel is to have.
+   * @param order where they are to go, if not evenly.
    */
-  add(budgetMs: number, most: number): number {
+  add(budgetMs: number, most: number, order?: AdaptiveOrder): number {
     const accumulation = this.#accumulation as Accumulation;
-    const start = performance.now();
-    // Issuing work takes no time where the GPU has a queue: there the estimate keeps to the budget, else the clock does.
     const { width, height, cells } = accumulation;
     const isShort = cells.rays === 0 && this.pace.msFor(width * height) <= AT_ONCE * budgetMs;
-    const room = this.pace.pixelsIn(isShort ? AT_ONCE * budgetMs : budgetMs);
-    let pixels = 0;
-    const hasTime = (): boolean =>
-      this.pace.isKnown && pixels + CELL_PIXELS <= room && performance.now() - start < budgetMs;
-    do pixels += this.#addTile(accumulation, room - pixels);
-    while (accumulation.samples < most && hasTime());
-    return pixels;
+    return this.#fill(accumulation, isShort ? AT_ONCE * budgetMs : budgetMs, most, order);
   }
 
   /** Frees what it has on the GPU. */
@@ -130,10 +136,35 @@ export class Sampling {
     this.#Textures = (await import('./scene-textures.ts')).SceneTextures;
   }
 
-  #addTile(accumulation: Accumulation, room: number): number {
+  /** How often the pixels are to be halved for a picture that can be drawn at once. */
+  #coarse(budgetMs: number): number {
+    const { width, height } = this.#view;
+    const budgets = (width * height) / Math.max(FEWEST_PIXELS, this.pace.pixelsIn(budgetMs));
+    if (budgets <= AT_ONCE) return 0;
+    const halvings = Math.log2(budgets);
+    // In steps that a pace which wavers does not cross again and again.
+    const spare = this.#coarsest - halvings;
+    return spare < -SLACK || spare > 1 + SLACK ? Math.ceil(halvings) : this.#coarsest;
+  }
+
+  #fill(accumulation: Accumulation, budgetMs: number, most: number, order?: AdaptiveOrder): number {
+    this.#device.clock.beginBatch();
+    const start = performance.now();
+    // Issuing work takes no time where the GPU has a queue: there the estimate keeps to the budget, else the clock does.
+    const room = this.pace.pixelsIn(budgetMs);
+    let pixels = 0;
+    const hasTime = (): boolean =>
+      this.pace.isKnown && pixels + CELL_PIXELS <= room && performance.now() - start < budgetMs;
+    do pixels += this.#addTile(accumulation, room - pixels, most, order);
+    while (accumulation.samples < most && hasTime());
+    return pixels;
+  }
+
+  #addTile(accumulation: Accumulation, room: number, most: number, order: AdaptiveOrder | undefined): number {
     const { camera } = this.#view.resolved;
     const { width, height, cells } = accumulation;
-    const tile = room < width * height ? cells.next(Math.max(1, Math.floor(room / CELL_PIXELS))) : cells.next(Infinity);
+    const fitting = room < width * height ? Math.max(1, Math.floor(room / CELL_PIXELS)) : Infinity;
+    const tile = order?.next(cells, fitting, most) ?? cells.next(fitting);
     // A function of the sample alone, so that tiles make no difference.
     const { seed, clamp } = this.#view.settings;
     const sample = cells.countOf(tile);

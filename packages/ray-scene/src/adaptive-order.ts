@@ -1,0 +1,88 @@
+/**
+ * Which cells get the next samples: those where a sample lowers the error of the picture most. Loaded with what measures
+ * noise. Knows no WebGL.
+ *
+ * The square of the error is the mean over the pixels of s² / n, where s² is the relative variance of one sample and n how
+ * many there are. For a given number of samples it is least where n is proportional to s (Neyman's allocation), and then
+ * it takes (mean s)² / (mean s²) of the samples that it would take if all cells had equally many.
+ *
+ * Whoever decides by samples how many there are to be makes their mean biased: a cell that looks calm by luck gets few
+ * more. Here all 3072 numbers of a cell decide together, so that one pixel says little about its own count, and no cell
+ * passes for calmer than CALMEST. What is left of the bias is measured by `npm run bench -- --adaptive`.
+ */
+import type { Cells, Tile } from './cells.ts';
+import type { Noise } from './noise-meter.ts';
+
+/** Least spread of a cell, as a part of the root mean square of all: a lamp that few paths find may not be found yet. */
+const CALMEST = 0.25;
+/** Goals are set for so many more samples at a time, as a part of those that there are. */
+const WAVE = 0.05;
+/** Steps of spreads, for each factor of two: neighbours with equally many samples are drawn together. */
+const LEVELS = 2;
+/** Halvings of an interval: more than an f32 can tell apart. */
+const HALVINGS = 30;
+
+export class AdaptiveOrder {
+  /** Root of the mean relative variance of a sample, by cell. */
+  readonly #spreads: Float64Array;
+  readonly #goals: Uint32Array;
+  readonly #largest: number;
+  /** Where the last tile ended. */
+  #at = 0;
+
+  /** @param noise of the picture, as last measured. */
+  constructor({ cells, counts }: Pick<Noise, 'cells' | 'counts'>) {
+    const spreads = Float64Array.from(cells, (error, i) => error * Math.sqrt(counts[i] as number));
+    const meanSquare = spreads.reduce((sum, spread) => sum + spread ** 2, 0) / spreads.length;
+    const calmest = CALMEST * Math.sqrt(meanSquare);
+    this.#spreads = spreads.map((spread) => inSteps(Math.max(spread, calmest)));
+    this.#largest = Math.max(...this.#spreads);
+    this.#goals = new Uint32Array(cells.length);
+  }
+
+  /**
+   * The next tile to draw, of at most so many cells; undefined: all have as many samples as they may have, or none has
+   * any noise.
+   * @param cap samples that a pixel is to have at most.
+   */
+  next(cells: Cells, most: number, cap: number): Tile | undefined {
+    return this.#tile(cells, most) ?? (this.#setGoals(cells, cap) ? this.#tile(cells, most) : undefined);
+  }
+
+  /** Some cells of one row that have equally many samples, and want more. */
+  #tile({ counts, columns }: Cells, most: number): Tile | undefined {
+    const wants = (i: number) => (counts[i] as number) < (this.#goals[i] as number);
+    for (let step = 0; step < counts.length; step++) {
+      const first = (this.#at + step) % counts.length;
+      if (!wants(first)) continue;
+      const longest = Math.min(most, columns - (first % columns));
+      let count = 1;
+      while (count < longest && wants(first + count) && counts[first + count] === counts[first]) count++;
+      this.#at = first + count;
+      return { first, count };
+    }
+    return undefined;
+  }
+
+  /** Distributes a wave of samples so that the counts come as near to being proportional to spreads as they can. */
+  #setGoals(cells: Cells, cap: number): boolean {
+    if (this.#largest === 0) return false;
+    const wanted = (factor: number, i: number) =>
+      Math.max(cells.counts[i] as number, Math.min(cap, Math.ceil(factor * (this.#spreads[i] as number))));
+    const raysWith = (factor: number) =>
+      cells.counts.reduce((sum, _, i) => sum + wanted(factor, i) * cells.pixelsOf({ first: i, count: 1 }), 0);
+    const rays = (1 + WAVE) * cells.rays;
+    let [low, high] = [0, cap / calmestOf(this.#spreads)];
+    for (let i = 0; i < HALVINGS; i++) {
+      const factor = (low + high) / 2;
+      if (raysWith(factor) < rays) low = factor;
+      else high = factor;
+    }
+    for (const i of this.#goals.keys()) this.#goals[i] = wanted(high, i);
+    return this.#goals.some((goal, i) => goal > (cells.counts[i] as number));
+  }
+}
+
+const calmestOf = (spreads: Float64Array): number => spreads.reduce((a, b) => Math.min(a, b));
+
+const inSteps = (spread: number): number => (spread > 0 ? 2 ** (Math.round(LEVELS * Math.log2(spread)) / LEVELS) : 0);

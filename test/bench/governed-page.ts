@@ -1,0 +1,114 @@
+/** What the bench of what governs the samples does in a page: lets the renderer itself go on until it stops. */
+import '@ray-scene/core/parts';
+import { parseScene, parseSettings, type RenderSettings } from '@ray-scene/core';
+import { AdaptiveOrder } from '../../packages/ray-scene/src/adaptive-order.ts';
+import { RenderDevice, Renderer, type RenderStats, type StopReason } from '../../packages/ray-scene/src/renderer.ts';
+
+export interface Task {
+  /** JSON text of the scene. */
+  readonly scene: string;
+  readonly settings: Partial<RenderSettings>;
+  readonly width: number;
+  readonly height: number;
+  /** Whether samples go where the error is, or evenly. */
+  readonly adapts: boolean;
+  /** Where the picture is added to. */
+  readonly sum: number;
+}
+
+export interface Stop {
+  readonly reason: StopReason;
+  readonly stats: RenderStats;
+  /** Time that the GPU took, in milliseconds. */
+  readonly gpuMs: number;
+}
+
+/** Milliseconds of work per draw: there is nobody whose frames it would hold up. */
+const BUDGET = 60;
+
+const device = new RenderDevice();
+/** Pictures that are added up, and what holds each. */
+let sums: Float64Array[] = [];
+let squares = new Float64Array();
+let renderer: Renderer | undefined;
+
+let gpuMs = 0;
+const { endBatch } = device.clock;
+device.clock.endBatch = (owner, done) => {
+  endBatch.call(device.clock, owner, (ms) => {
+    gpuMs += ms;
+    done(ms);
+  });
+};
+
+const nextTask = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
+
+const { next } = AdaptiveOrder.prototype;
+
+/** Forgets the pictures so far. */
+export function begin(): void {
+  renderer?.dispose();
+  renderer = undefined;
+  sums = [];
+  squares = new Float64Array();
+}
+
+/** Draws a picture until one of the rules ends it. */
+export async function stop({ scene, settings, width, height, adapts, sum }: Task): Promise<Stop> {
+  AdaptiveOrder.prototype.next = adapts ? next : () => undefined;
+  renderer ??= new Renderer(document.createElement('canvas'), device);
+  gpuMs = 0;
+  let failure: Error | undefined;
+  renderer.onerror = (error) => {
+    failure = error;
+  };
+  renderer.resize(width, height);
+  renderer.setSettings(parseSettings(settings));
+  renderer.setScene(parseScene(JSON.parse(scene)));
+  while (!renderer.stopped) {
+    renderer.draw(BUDGET);
+    do await nextTask();
+    while (device.clock.busyWith);
+    if (failure) throw failure;
+  }
+  const picture = renderer.readRadiance();
+  sums[sum] ??= new Float64Array(picture.length);
+  for (const [i, value] of picture.entries()) (sums[sum] as Float64Array)[i] = (sums[sum]?.[i] as number) + value;
+  if (squares.length === 0) squares = new Float64Array(2 * picture.length);
+  // Of pictures that were made alike: how they differ is their noise.
+  const at = adapts ? picture.length : 0;
+  for (const [i, value] of picture.entries()) squares[at + i] = (squares[at + i] as number) + value ** 2;
+  return { reason: renderer.stopped, stats: renderer.stats, gpuMs };
+}
+
+/**
+ * Noise and bias of pictures, both relative as `stats.error` is. The sums 0 and 1 are of even ones, 2 and 3 of adapted
+ * ones, each of `each` pictures.
+ */
+export function judge(each: number): { readonly noise: readonly [number, number]; readonly squaredBias: number } {
+  const [a, b, c, d] = sums as [Float64Array, Float64Array, Float64Array, Float64Array];
+  const count = 2 * each;
+  const relative = [0, 0];
+  let squaredBias = 0;
+  let values = 0;
+  for (let i = 0; i < a.length; i++) {
+    if (i % 4 === 3) continue;
+    const [one, other, third, fourth] = [a[i], b[i], c[i], d[i]].map((sum) => (sum as number) / each) as [
+      number,
+      number,
+      number,
+      number,
+    ];
+    const mean = (one + other + third + fourth) / 4;
+    const scale = mean ** 2 + 0.01;
+    for (const [kind, half] of [(one + other) / 2, (third + fourth) / 2].entries()) {
+      const variance = ((squares[kind * a.length + i] as number) / count - half ** 2) * (count / (count - 1));
+      relative[kind] = (relative[kind] as number) + variance / scale;
+    }
+    // Each factor has noise of its own, so that the mean of the product has none of it.
+    squaredBias += ((third - one) * (fourth - other)) / scale;
+    values++;
+  }
+  const [even, adapted] = relative.map((sum) => Math.sqrt(sum / values)) as [number, number];
+  return { noise: [even, adapted], squaredBias: squaredBias / values };
+}
