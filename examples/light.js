@@ -28,3 +28,7 @@ scene.addEventListener('load', () => {
 scene.addEventListener('progress', ({ samples, total }) => {
   progress.textContent = `${samples} of ${total} samples`;
 });
+
+document.getElementById('numbers').addEventListener('change', ({ target }) => {
+  scene.showStats = target.checked;
+});

@@ -27,7 +27,7 @@ export class ErrorOverlay {
     }
     root.adoptedStyleSheets.push(sheet);
     this.#element.setAttribute('part', 'error');
-    this.#element.role = 'alert';
+    this.#element.setAttribute('role', 'alert');
     // A long text scrolls, so it can have the focus.
     this.#element.tabIndex = 0;
     root.append(this.#element);

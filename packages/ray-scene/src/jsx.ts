@@ -45,6 +45,7 @@ type RaySceneAttributes = Fields<{
     cameraControls: boolean;
     autoRotate: boolean;
     paused: boolean;
+    showStats: boolean;
   }> & { readonly crossOrigin?: string; readonly crossorigin?: string };
 
 /** By tag, its attributes and properties. */

@@ -24,6 +24,7 @@ import type { SceneHost } from './scene-elements.ts';
 import { SettingsElement } from './settings-element.ts';
 import { ShadowTree } from './shadow-tree.ts';
 import { SceneSource, type SourceHost } from './source.ts';
+import { StatsDisplay } from './stats-display.ts';
 
 const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true });
 
@@ -36,8 +37,12 @@ const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true }
  * @csspart canvas - The picture.
  * @csspart poster - What is shown until there is a picture.
  * @csspart error - What is wrong, in words.
+ * @csspart stats - The panel of `show-stats`.
+ * @csspart stats-curve - Its curve of error against time.
  * @cssprop --ray-scene-error-color
  * @cssprop --ray-scene-error-background
+ * @cssprop --ray-scene-stats-color
+ * @cssprop --ray-scene-stats-background
  * @cssprop --ray-scene-focus-ring - An outline.
  */
 export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, SceneHost, SourceHost {
@@ -51,6 +56,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     cameraControls: flag('camera-controls'),
     autoRotate: flag('auto-rotate'),
     paused: flag('paused'),
+    showStats: flag('show-stats'),
   };
 
   /** Address of a scene as JSON. */
@@ -71,6 +77,8 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   declare autoRotate: boolean;
   /** Whether the picture stays as it is but for edits. */
   declare paused: boolean;
+  /** Whether a panel tells how far the picture is, what it cost, and how noisy it is. */
+  declare showStats: boolean;
 
   readonly #source = new SceneSource(
     this,
@@ -105,7 +113,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   constructor() {
     super();
     this.src = this.crossOrigin = this.alt = this.poster = this.background = null;
-    this.cameraControls = this.autoRotate = this.paused = false;
+    this.cameraControls = this.autoRotate = this.paused = this.showStats = false;
     this.loading = 'eager';
   }
 
@@ -203,6 +211,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const root = super.createRenderRoot() as ShadowRoot;
     this.#shadow = new ShadowTree(root);
     new Pointing(this, this.#shadow.canvas);
+    new StatsDisplay(this);
     return root;
   }
 
