@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import '@ray-scene/core/parts';
 import {
   generateShader,
   packScene,
