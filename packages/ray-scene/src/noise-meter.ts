@@ -72,9 +72,6 @@ export class NoiseMeter {
     this.#buffer = gl.createBuffer();
     this.#blockProgram = programs.acquire(BLOCK_KEY, noiseSource('noise/block-error.frag.glsl'));
     this.#cellProgram = programs.acquire(CELL_KEY, noiseSource('noise/cell-error.frag.glsl'));
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.#buffer);
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, 16 * this.#cells.width * this.#cells.height, gl.STREAM_READ);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     if (this.blocks.isComplete && this.#cells.isComplete) return;
     this.dispose();
     throw new Error('The noise of the picture cannot be measured: the graphics memory is full');
@@ -98,6 +95,8 @@ export class NoiseMeter {
     this.#cells.bind();
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.#buffer);
+    // Allocated anew: what nobody has read, as of a scene that has changed since, is in no one's way.
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, 16 * this.#cells.width * this.#cells.height, gl.STREAM_READ);
     gl.readPixels(0, 0, this.#cells.width, this.#cells.height, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     const { samples, cells } = accumulation;
