@@ -3,7 +3,7 @@
 // sheared so that the ray runs along z, and three edge functions in the plane decide. Both triangles compute the same
 // products for a shared edge, in f32; the sign decides, whatever was rounded. The distance is that of the plane, packed
 // from f64: where lengths differ widely with n·d as `splitDot`. It takes about 1.3 times as long as the common formula, which
-// loses rays between triangles; the shear, which is the same for all triangles of a ray, is most of that.
+// loses rays between triangles.
 #include "split-dot.glsl"
 
 // What all rays from a point share: the ways to the corners, and to the plane along the normal.
