@@ -1,7 +1,14 @@
 // Images on surfaces: the GPU draws what the reference does, and the element loads them.
 import '@ray-scene/core/parts';
 import { expect } from '@open-wc/testing';
-import { type EnvironmentImage, generateShader, parseScene, requirements, resolveScene } from '@ray-scene/core';
+import {
+  type EnvironmentImage,
+  generateShader,
+  parseScene,
+  requirements,
+  resolveScene,
+  shapeKinds,
+} from '@ray-scene/core';
 import { illConditioned, relativeDifference, renderReference } from '@ray-scene/core/reference';
 import { RenderDevice } from '../../packages/ray-scene/src/renderer.ts';
 import { numbers } from '../unit/emitter-cases.ts';
@@ -22,7 +29,7 @@ const images = new Map([
   ['c', patches(1, 1, 3)],
 ]);
 
-const shapes: readonly object[] = [
+const chosen: readonly { readonly type: string; readonly [field: string]: unknown }[] = [
   { type: 'sphere' },
   { type: 'sphere', center: [0, 0, 3], radius: 8 },
   { type: 'plane', normal: [0.3, 1, 0.2], checkerSize: 0.7 },
@@ -34,15 +41,15 @@ const shapes: readonly object[] = [
   { type: 'torus', axis: [0.2, 1, 0.4] },
   { type: 'triangle', a: [-1, -1, 0], b: [1.2, -0.8, 0.3], c: [0, 1, 0] },
 ];
+// A kind that is new is drawn as it is by default.
+const others = shapeKinds.filter((kind) => !chosen.some(({ type }) => type === kind)).map((type) => ({ type }));
+const shapes = [...chosen, ...others];
 
 const camera = { position: [0.7, 1.2, 3], target: [0, 0, 0] };
 const light = { type: 'point', position: [3, 4, 5], intensity: 100 };
 const scenes: { readonly [what: string]: object } = {
   ...Object.fromEntries(
-    shapes.map((shape, i) => [
-      `${(shape as { type: string }).type} ${i}`,
-      { camera, lights: [light], objects: [{ ...shape, map: 'a' }] },
-    ]),
+    shapes.map((shape, i) => [`${shape.type} ${i}`, { camera, lights: [light], objects: [{ ...shape, map: 'a' }] }]),
   ),
   'many, some without': {
     camera,
