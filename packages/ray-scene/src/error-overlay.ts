@@ -1,4 +1,6 @@
 /** What is wrong, in words, over the picture. */
+import { adoptStyles } from './adopt-styles.ts';
+
 const style = `
   [part='error'] {
     position: absolute;
@@ -15,17 +17,11 @@ const style = `
   }
 `;
 
-let sheet: CSSStyleSheet | undefined;
-
 export class ErrorOverlay {
   readonly #element = document.createElement('div');
 
   constructor(root: ShadowRoot) {
-    if (!sheet) {
-      sheet = new CSSStyleSheet();
-      sheet.replaceSync(style);
-    }
-    root.adoptedStyleSheets.push(sheet);
+    adoptStyles(root, style);
     this.#element.setAttribute('part', 'error');
     this.#element.setAttribute('role', 'alert');
     // A long text scrolls, so it can have the focus.

@@ -1,5 +1,6 @@
 /** What `<ray-scene>` is made of inside. So little changes there that templates would be most of the code. */
-import { styleSheet } from './styles.ts';
+import { adoptStyles } from './adopt-styles.ts';
+import { styles } from './styles.ts';
 
 export interface ShadowState {
   /** What the picture shows, in words. */
@@ -27,8 +28,7 @@ export class ShadowTree {
     this.#poster.append(poster);
     this.#nodes.append(make('slot', {}));
     root.append(this.canvas, this.#poster, this.#nodes);
-    // Before those of classes that go further, so that theirs win.
-    root.adoptedStyleSheets.unshift(styleSheet());
+    adoptStyles(root, styles);
   }
 
   show({ label, keys, hasWebGL, hasPicture, poster }: ShadowState): void {

@@ -1,5 +1,6 @@
 /** The panel of `show-stats`: how far the picture is, what it cost, and how its error falls with time. */
 import type { RenderSettings } from '@ray-scene/core';
+import { adoptStyles } from './adopt-styles.ts';
 import type { RenderStats } from './renderer.ts';
 
 /** What is told, by whom. */
@@ -89,8 +90,6 @@ export function curveOf(points: readonly Point[]): string {
   return along.map((x, i) => `${(x * WIDTH).toFixed(1)},${((1 - (up[i] as number)) * HEIGHT).toFixed(1)}`).join(' ');
 }
 
-let sheet: CSSStyleSheet | undefined;
-
 export class StatsPanel {
   readonly #host: StatsHost;
   readonly #panel = document.createElement('div');
@@ -102,11 +101,7 @@ export class StatsPanel {
 
   constructor(host: StatsHost, root: ShadowRoot) {
     this.#host = host;
-    if (!sheet) {
-      sheet = new CSSStyleSheet();
-      sheet.replaceSync(style);
-    }
-    root.adoptedStyleSheets.push(sheet);
+    adoptStyles(root, style);
     // A group that can be read when one comes to it; numbers that change all the time are not to be called out.
     for (const [name, value] of Object.entries({
       part: 'stats',

@@ -5,7 +5,8 @@ const nodes = Object.keys(sceneElements)
   .map((tag) => `::slotted(${tag})`)
   .join();
 
-const text = `
+/** Of what every element has. */
+export const styles = `
   :host {
     display: block;
     position: relative;
@@ -52,14 +53,3 @@ const text = `
     visibility: visible;
   }
 `;
-
-let sheet: CSSStyleSheet | undefined;
-
-/** The one sheet of all elements, which a server has none of. */
-export function styleSheet(): CSSStyleSheet {
-  if (!sheet) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(text);
-  }
-  return sheet;
-}
