@@ -4,7 +4,11 @@ import type { RayScene } from '../../packages/ray-scene/src/index.ts';
 const SCRIPT = new URL('../../packages/ray-scene/src/index.ts', import.meta.url).href;
 const BALL = '<ray-scene samples="1"><ray-sphere></ray-sphere></ray-scene>';
 
-describe('a page with <ray-scene>', () => {
+/** Each frame loads all modules one by one, beside two other browsers that do. */
+const PATIENCE = { timeout: 60_000 };
+
+describe('a page with <ray-scene>', function () {
+  this.timeout(90_000);
   let frame: HTMLIFrameElement;
   beforeEach(() => {
     frame = document.createElement('iframe');
@@ -26,7 +30,7 @@ describe('a page with <ray-scene>', () => {
     contentDocument.open();
     contentDocument.write(`<!doctype html><body><script type="module" async src="${SCRIPT}"></script>`);
     contentDocument.write('<ray-scene samples="1"><ray-sphere></ray-sphere>');
-    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', { timeout: 20_000 });
+    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', PATIENCE);
     for (let i = 0; i < 5; i++) await new Promise((resolve) => contentWindow.requestAnimationFrame(resolve));
     expect(contentDocument.readyState).to.equal('loading');
     expect(element().scene).to.equal(undefined);
@@ -40,10 +44,10 @@ describe('a page with <ray-scene>', () => {
   it('may have a strict policy', async () => {
     frame.src = new URL('strict-policy.html', import.meta.url).href;
     document.body.append(frame);
-    await waitUntil(() => element(), 'the page is there', { timeout: 20_000 });
+    await waitUntil(() => element(), 'the page is there', PATIENCE);
     const violations: string[] = [];
     page().addEventListener('securitypolicyviolation', (event) => violations.push(event.violatedDirective));
-    await waitUntil(() => element().shadowRoot, 'the elements are registered', { timeout: 20_000 });
+    await waitUntil(() => element().shadowRoot, 'the elements are registered', PATIENCE);
     await element().complete;
     expect(violations).to.deep.equal([]);
     expect(element().clientHeight).to.be.above(0);
@@ -53,7 +57,7 @@ describe('a page with <ray-scene>', () => {
   it('may bring markup and script in any order', async () => {
     frame.srcdoc = `<!doctype html>${BALL}<script type="module" src="${SCRIPT}"></script>`;
     document.body.append(frame);
-    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', { timeout: 20_000 });
+    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', PATIENCE);
     await element().complete;
     expect(element().scene?.objects).to.have.lengthOf(1);
   });
