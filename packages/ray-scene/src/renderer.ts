@@ -1,17 +1,17 @@
 /** `ray-scene/renderer`: draws scenes on canvases, without any element. */
 import {
   type EnvironmentImages,
-  isSurfaceOutput,
   loadShapes,
   type RenderSettings,
   type ResolvedCamera,
   type Scene,
 } from '@ray-scene/core';
 import type { Accumulation } from './accumulation.ts';
-import { Display } from './display.ts';
 import type { NoiseWatch } from './noise-watch.ts';
+import { Presentation } from './presentation.ts';
 import type { Quarantine } from './quarantine.ts';
-import { type DeviceView, type Precision, RenderDevice } from './render-device.ts';
+import { type DeviceView, RenderDevice } from './render-device.ts';
+import type { RenderStats } from './render-stats.ts';
 import { type Preview, Sampling } from './sampling.ts';
 import type { StopReason } from './stop-rules.ts';
 import { View } from './view.ts';
@@ -19,6 +19,7 @@ import { View } from './view.ts';
 export { ShaderError } from './program.ts';
 export { QuarantineError } from './quarantine.ts';
 export { type Precision, RenderDevice, type RenderDeviceOptions, WebGLUnavailableError } from './render-device.ts';
+export type { RenderStats } from './render-stats.ts';
 export type { StopReason } from './stop-rules.ts';
 
 /** By how much rays must have become more for a picture to be shown anew: showing it takes time as well. */
@@ -26,29 +27,6 @@ const VISIBLE = 1.05;
 
 /** Of the time between two draws no more counts as time spent on a picture: nobody asked for one meanwhile. */
 const LONGEST_PAUSE_MS = 1000;
-
-export interface RenderStats {
-  /** Samples that each pixel has, at least. */
-  readonly samples: number;
-  /**
-   * How noisy the picture is, as last measured: the standard error of a channel, relative; the root of the mean of
-   * variance / (mean² + 0.01), after exposure. Undefined: not known yet.
-   */
-  readonly error: number | undefined;
-  /** Rays that were sent through pixels, each with all that follows from it. */
-  readonly rays: number;
-  /** Time spent on the picture so far. */
-  readonly seconds: number;
-  /** Programs that this renderer had compiled, and how long it waited for them. */
-  readonly compiles: number;
-  readonly compileMs: number;
-  /** Estimate of the time that the GPU takes for one sample of every pixel; 0: not known yet. */
-  readonly msPerSample: number;
-  /** Of the picture, in pixels. */
-  readonly width: number;
-  readonly height: number;
-  readonly precision: Precision;
-}
 
 /** A view of a scene. Everything on the GPU is made when it is first needed, and again after a loss of the context. */
 export class Renderer {
@@ -58,9 +36,9 @@ export class Renderer {
   onrestored: () => void = () => {};
 
   readonly #device: RenderDevice;
-  readonly #context: CanvasRenderingContext2D;
   readonly #view = new View();
   readonly #sampling: Sampling;
+  readonly #presentation: Presentation;
   readonly #listener: DeviceView = {
     contextLost: (suspect) => this.#contextLost(suspect),
     contextRestored: () => this.onrestored(),
@@ -75,13 +53,8 @@ export class Renderer {
   #next: Scene | undefined;
   /** The parts of its shader that the scene waits for. */
   #loading: Promise<unknown> | undefined;
-  #display: Display | undefined;
   /** Which revision of the view the time, the end and the picture are of. */
   #begun = -1;
-  /** Which revision of the view the canvas shows. */
-  #shown = -1;
-  /** How many rays the picture is made of that the canvas shows. */
-  #presented = 0;
   #stopped: StopReason | undefined;
   #milliseconds = 0;
   #lastDraw = Number.NEGATIVE_INFINITY;
@@ -96,9 +69,9 @@ export class Renderer {
   constructor(canvas: HTMLCanvasElement, device: RenderDevice = RenderDevice.shared) {
     const context = canvas.getContext('2d');
     if (!context) throw new TypeError('The canvas has a context other than 2D already');
-    this.#context = context;
     this.#device = device;
     this.#sampling = new Sampling(device, this.#view);
+    this.#presentation = new Presentation(device, context, this.#view);
     device.add(this.#listener);
   }
 
@@ -122,7 +95,7 @@ export class Renderer {
 
   setSettings(settings: RenderSettings): void {
     this.#view.settings = settings;
-    this.#presented = 0;
+    this.#presentation.rays = 0;
     this.#stopped = undefined;
   }
 
@@ -162,7 +135,7 @@ export class Renderer {
 
   /** Whether the canvas shows the view as it is now, be it by a preview. */
   get isShown(): boolean {
-    return this.#shown === this.#view.revision;
+    return this.#presentation.revision === this.#view.revision;
   }
 
   /**
@@ -261,11 +234,12 @@ export class Renderer {
       this.#device.clock.endBatch(this.#listener, (ms) => {
         if (pixels > 0) pace.learn(ms, pixels);
         collect?.();
-        if (collect && settings.output === 'error') this.#presented = 0;
+        if (collect && settings.output === 'error') this.#presentation.rays = 0;
       });
     }
-    const enough = this.#presented * (this.#stopped ? 1 : VISIBLE);
-    if (accumulation.samples > 0 && accumulation.cells.rays > enough) this.#present(accumulation);
+    const enough = this.#presentation.rays * (this.#stopped ? 1 : VISIBLE);
+    if (accumulation.samples > 0 && accumulation.cells.rays > enough)
+      this.#presentation.show(accumulation, this.#watch);
     return !this.#stopped;
   }
 
@@ -281,7 +255,7 @@ export class Renderer {
     const { pace } = this.#sampling;
     this.#device.clock.endBatch(this.#listener, (ms) => pace.learn(ms, pixels));
     this.#spend(start);
-    if (picture.samples > 0) this.#present(picture);
+    if (picture.samples > 0) this.#presentation.show(picture, this.#watch);
     this.#loadWatch();
   }
 
@@ -291,7 +265,7 @@ export class Renderer {
     if (this.#begun === revision) return false;
     this.#begun = revision;
     this.#stopped = undefined;
-    this.#presented = this.#milliseconds = 0;
+    this.#presentation.rays = this.#milliseconds = 0;
     this.#lastDraw = now;
     this.#watch?.restart();
     return true;
@@ -323,29 +297,6 @@ export class Renderer {
     );
   }
 
-  #present(accumulation: Accumulation): void {
-    this.#shown = this.#view.revision;
-    const { exposure, toneMapping, output } = this.#view.settings;
-    const { width, height } = accumulation;
-    // What surfaces are like is no light.
-    const isLight = !isSurfaceOutput(output);
-    let draw = (): void => this.#displayFor(isLight ? toneMapping : 'none').draw(accumulation, isLight ? exposure : 1);
-    if (output === 'error' || output === 'samples') {
-      const watch = this.#watch;
-      if (!watch) return;
-      draw = () => watch.draw(output, accumulation);
-    }
-    this.#device.present(this.#context, width, height, draw);
-    this.#presented = accumulation.cells.rays;
-  }
-
-  #displayFor(toneMapping: RenderSettings['toneMapping']): Display {
-    if (this.#display?.toneMapping === toneMapping) return this.#display;
-    this.#display?.dispose();
-    this.#display = new Display(this.#device.gl, this.#device.programs, toneMapping);
-    return this.#display;
-  }
-
   /** Not to be tried again before something changes; and told once, not with every frame of an animation. */
   #fail(error: Error): void {
     this.#failed = this.#view.revision;
@@ -357,7 +308,7 @@ export class Renderer {
   #contextLost(suspect: boolean): void {
     this.#sampling.forget();
     this.#watch?.forget();
-    this.#display = undefined;
+    this.#presentation.forget();
     this.#begun = -1;
     if (suspect) this.#suspect(performance.now()).catch(reportError);
   }
@@ -378,7 +329,6 @@ export class Renderer {
   #release(): void {
     this.#sampling.release();
     this.#watch?.release();
-    this.#display?.dispose();
-    this.#display = undefined;
+    this.#presentation.release();
   }
 }
