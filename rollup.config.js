@@ -1,4 +1,4 @@
-// Builds both packages: ES modules whose dependencies stay imports, their types, and one minified file that needs nothing.
+// Builds both packages: ES modules whose dependencies stay imports, their types, and minified files for pages without a build step.
 import { readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, resolve } from 'node:path';
@@ -159,36 +159,50 @@ function modules(folder, input, ...more) {
   ];
 }
 
-// Every licence of what the one file holds asks to be named with it.
+// Every licence of what these files hold asks to be named with it.
 const LIT = 'lit (BSD-3-Clause, Google LLC), ';
 const licences = (folder, others) =>
   `/*! ray-scene ${manifest(folder).version}, MIT. With ${others}gl-matrix and culori (MIT). */`;
 
-function oneFile(folder, name, input, others = '') {
+const minify = (folder) => [
+  withoutDocs,
+  shortColorNames,
+  shortStyles,
+  glNumbers,
+  adoptedStyles,
+  sources,
+  shortPrivateNames,
+  terser({
+    module: true,
+    ecma: 2020,
+    compress: { passes: 3, keep_fargs: false, unsafe: true },
+    format: { comments: /^!/, quote_style: 1 },
+  }),
+  sizes(folder),
+];
+
+const resolvePage = (...conditions) =>
+  nodeResolve({ exportConditions: [...conditions, 'source', 'production'], browser: true });
+
+/** One file that a page names, and chunks beside it that it loads when a scene asks for them. */
+function entryFile(folder, name, input, others = '') {
   return {
     input: { [name]: input },
     // Chunks import what they share from the entry, which stays one file.
     preserveEntrySignatures: 'allow-extension',
     output: { dir: `${folder}/dist`, chunkFileNames: `${name}.[name].js`, banner: licences(folder, others) },
     onLog,
-    plugins: [
-      nodeResolve({ exportConditions: ['on-demand', 'source', 'production'], browser: true }),
-      withoutDocs,
-      shortColorNames,
-      shortStyles,
-      glNumbers,
-      adoptedStyles,
-      plainShaders,
-      sources,
-      shortPrivateNames,
-      terser({
-        module: true,
-        ecma: 2020,
-        compress: { passes: 3, keep_fargs: false, unsafe: true },
-        format: { comments: /^!/, quote_style: 1 },
-      }),
-      sizes(folder),
-    ],
+    plugins: [resolvePage('on-demand'), plainShaders, ...minify(folder)],
+  };
+}
+
+/** One file with everything in it. */
+function wholeFile(folder, name, input, others) {
+  return {
+    input,
+    output: { file: `${folder}/dist/${name}.js`, inlineDynamicImports: true, banner: licences(folder, others) },
+    onLog,
+    plugins: [resolvePage(), ...minify(folder)],
   };
 }
 
@@ -210,6 +224,7 @@ export default [
     element: 'packages/ray-scene/src/element.ts',
     renderer: 'packages/ray-scene/src/renderer.ts',
   }),
-  oneFile('packages/core', 'reference.min', 'packages/core/src/reference/index.ts'),
-  oneFile('packages/ray-scene', 'ray-scene.min', 'packages/ray-scene/src/index.ts', LIT),
+  entryFile('packages/core', 'reference.min', 'packages/core/src/reference/index.ts'),
+  entryFile('packages/ray-scene', 'ray-scene.min', 'packages/ray-scene/src/index.ts', LIT),
+  wholeFile('packages/ray-scene', 'ray-scene.whole.min', 'packages/ray-scene/src/index.ts', LIT),
 ];
