@@ -18,7 +18,18 @@ export interface Truth {
 
 const COLUMNS = ['cases', 'wrong', 'p50', 'p90', 'p99', 'max', 'raw p99', 'normal p99', 'textbook', 'p99', 'max'];
 
-const IMAGE_COLUMNS = ['images', 'samples', 'bias', '± error', 'rms z', 'of noise', 'expected', 'errors', 'dB'];
+const IMAGE_COLUMNS = [
+  'images',
+  'samples',
+  'bias',
+  '± error',
+  'rms z',
+  'of noise',
+  'expected',
+  'errors',
+  'dB',
+  'minutes',
+];
 
 export function printReport({ vectors, watertight, brdf, images, textbook, skipped, broken }: Truth): void {
   for (const side of new Set(vectors.map((row) => row.side))) {
@@ -38,18 +49,21 @@ export function printReport({ vectors, watertight, brdf, images, textbook, skipp
   for (const { side, table, cases, p99, max } of brdf)
     console.log(line([`${side} ${table}`, cases, short(p99), short(max)]));
   if (images.length > 0) console.log(`\n${line(IMAGE_COLUMNS)}`);
-  for (const row of images) console.log(line(imageCells(row)));
+  for (const row of images) console.log(imageLine(row));
   if (skipped.length > 0) console.log(`\nskipped: ${skipped.join(', ')}`);
   console.log(broken.length > 0 ? `\nlimits broken:\n  ${broken.join('\n  ')}` : '\nall limits kept');
 }
 
+export const imageLine = (row: ImageRow): string => line(imageCells(row));
+
 function imageCells(row: ImageRow): readonly (string | number)[] {
   const name = `${row.scene} ${row.side === 'gpu' ? 'gpu' : 'ref'}`;
   if (row.skipped !== null) return [name, `   skipped: ${row.skipped}`];
-  const { samples, bias, biasError, rmsZ, rmsZNoisy, expectedRmsZ, errorRatio, psnr, broken } = row;
+  const { samples, bias, biasError, rmsZ, rmsZNoisy, expectedRmsZ, errorRatio, psnr, minutes, broken } = row;
   const percents = [bias, biasError].map((share) => `${(100 * (share ?? 0)).toFixed(3)}%`);
   const ratios = [rmsZ, rmsZNoisy, expectedRmsZ, errorRatio].map((value) => (value ?? 0).toFixed(2));
-  return [name, samples ?? 0, ...percents, ...ratios, `${psnr?.toFixed(1)}${broken.length > 0 ? '!' : ''}`];
+  const marked = `${minutes?.toFixed(1)}${broken.length > 0 ? '!' : ''}`;
+  return [name, samples ?? 0, ...percents, ...ratios, psnr?.toFixed(1) ?? '', marked];
 }
 
 const sameCases = (a: VectorRow, b: VectorRow): boolean => a.primitive === b.primitive && a.regime === b.regime;

@@ -11,7 +11,7 @@ import { Gpu } from './gpu-side.ts';
 import type { ImageRow } from './images/judge-image.ts';
 import { measureImages } from './images/measure-images.ts';
 import { isKind } from './reference-side.ts';
-import { printReport, type Truth } from './report.ts';
+import { imageLine, printReport, type Truth } from './report.ts';
 import { type BrdfRow, brokenLimits, quantile, type VectorRow, vectorRows, type WatertightRow } from './rows.ts';
 import { parseLines, type VectorCase, vectorKinds, type WatertightCase } from './vector-cases.ts';
 import { askReference, judgeCamera, judgeReference, judgeSecondary, judgeTextbook, watertightRow } from './vectors.ts';
@@ -26,10 +26,10 @@ Measures the f64 reference and the GPU path against ground truth that this proje
                   the worse answer counts.
   --only PART     vectors, brdf or images
   --scene NAME    of the images, this one
-  --samples N     of the images: per pixel, at most (default: 65536). Fewer are taken where they are enough for
-                  a mean standard error of at most 3 times that of the truth, and for z to be as expected
+  --samples N     of the images: per pixel, at most (default: 65536). As many are taken as a mean standard error
+                  of at most 3 times that of the truth needs, by the error of the first 128
   --pictures DIR  of the images, writes PNG files there: ours, theirs, and the difference in standard errors
-  --json FILE     writes all numbers there
+  --json FILE     writes all numbers there, of the images at each one
   --doc FILE      writes the table of vectors there: docs/how-exact.md has a place for it
 
 Ends with 1 when a limit is broken.`;
@@ -60,7 +60,11 @@ const lines = <T>(...path: string[]): readonly T[] => parseLines(readFileSync(jo
 
 const wants = (part: string): boolean => (options.only ?? part) === part && (part === 'images' || !options.scene);
 
-const images = (onCpu: boolean, gpu: Gpu | undefined): Promise<readonly ImageRow[]> =>
+const images = (
+  onCpu: boolean,
+  gpu: Gpu | undefined,
+  onRow: (rows: readonly ImageRow[]) => void,
+): Promise<readonly ImageRow[]> =>
   measureImages({
     data: join(options.data, 'images'),
     scene: options.scene,
@@ -69,6 +73,7 @@ const images = (onCpu: boolean, gpu: Gpu | undefined): Promise<readonly ImageRow
     mostSamples: Number(options.samples),
     pictures: options.pictures,
     onProgress: (what) => console.error(what),
+    onRow,
   });
 
 interface VectorResult {
@@ -137,22 +142,34 @@ async function measure(): Promise<Truth> {
   const gpu = engine === 'cpu' ? undefined : await Gpu.start(engine ?? 'chromium');
   try {
     const vectors = wants('vectors') ? await measureVectors(onCpu, gpu) : undefined;
-    const { rows = [], textbook = [], watertight = [] } = vectors ?? {};
     const brdf = wants('brdf') ? await measureBrdf(onCpu, gpu) : [];
-    const pictures = wants('images') ? await images(onCpu, gpu) : [];
-    const noTables = wants('brdf') ? skippedTables.map((table) => `brdf ${table}`) : [];
-    return {
-      vectors: rows,
-      watertight,
-      brdf,
-      images: pictures,
-      textbook,
-      skipped: [...(vectors?.skipped ?? []), ...noTables],
-      broken: [...brokenLimits(rows, watertight), ...pictures.flatMap(brokenByImage)],
+    // Pictures take long: what is interrupted has written those that were ready.
+    const onRow = (rows: readonly ImageRow[]): void => {
+      console.error(imageLine(rows.at(-1) as ImageRow));
+      save(truthOf(vectors, brdf, rows));
     };
+    return truthOf(vectors, brdf, wants('images') ? await images(onCpu, gpu, onRow) : []);
   } finally {
     await gpu?.close();
   }
+}
+
+function truthOf(vectors: VectorResult | undefined, brdf: readonly BrdfRow[], pictures: readonly ImageRow[]): Truth {
+  const { rows = [], textbook = [], watertight = [] } = vectors ?? {};
+  const noTables = wants('brdf') ? skippedTables.map((table) => `brdf ${table}`) : [];
+  return {
+    vectors: rows,
+    watertight,
+    brdf,
+    images: pictures,
+    textbook,
+    skipped: [...(vectors?.skipped ?? []), ...noTables],
+    broken: [...brokenLimits(rows, watertight), ...pictures.flatMap(brokenByImage)],
+  };
+}
+
+function save(truth: Truth): void {
+  if (options.json) writeFileSync(options.json, `${JSON.stringify(truth, null, 2)}\n`);
 }
 
 if (options.help) {
@@ -163,7 +180,7 @@ if (options.help) {
   const truth = await measure();
   printReport(truth);
   if (options.doc) writeDoc(options.doc, truth);
-  if (options.json) writeFileSync(options.json, `${JSON.stringify(truth, null, 2)}\n`);
+  save(truth);
   const failed = truth.images.filter(({ broken }) => broken.length > 0).length;
   const skipped = truth.images.filter((row) => row.skipped !== null && row.broken.length === 0).length;
   reportCounts('truth images', { passed: truth.images.length - failed - skipped, failed, skipped });

@@ -83,8 +83,9 @@ export class Affine {
     return this.directionBack(addScaled(p, this.offset, -1));
   }
 
-  directionBack([x, y, z]: Vec3): Vec3 {
-    return this.inverse.map((row) => row[0] * x + row[1] * y + row[2] * z) as unknown as Vec3;
+  directionBack(d: Vec3): Vec3 {
+    const [x, y, z] = this.inverse;
+    return [dot(x, d), dot(y, d), dot(z, d)];
   }
 
   /** The corners of a box, where they are taken to. */

@@ -21,8 +21,11 @@ export const dot = (a: Vec3, b: Vec3): number => vec3.dot(a, b);
 export const mix = (a: Vec3, b: Vec3, t: number): Vec3 => addScaled(scale(a, 1 - t), b, t);
 export const negate = (a: Vec3): Vec3 => vec3.negate([0, 0, 0], a) as Fresh;
 
-/** Euclidean length, right even where the squares leave the range of f64. */
-export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
+/** Euclidean length, right even where the squares leave the range of f64; `hypot` takes five times as long. */
+export function length(a: Vec3): number {
+  const square = dot(a, a);
+  return square > 1e-280 && square < 1e280 ? Math.sqrt(square) : Math.hypot(...a);
+}
 
 /** The unit vector along a; a vector of zeros stays as it is. */
 export function normalize(a: Vec3): Vec3 {

@@ -18,7 +18,7 @@ export interface Estimate {
 const BATCHES = 16;
 /** Samples of each batch in the first round. */
 const PILOT = 8;
-/** No round grows by more than this: where errors fall faster than one over the square root, less is enough. */
+/** No picture gets this many times as large in a round: where errors fall faster than one over the square root, less is enough. */
 const GROWTH = 16;
 
 export interface EstimateOptions {
@@ -27,28 +27,40 @@ export interface EstimateOptions {
   /** Per pixel, in all batches: where it ends in any case. */
   readonly mostSamples: number;
   readonly onRound?: (estimate: Estimate) => void;
+  /** Told at each picture of a round, of which there are so many, with so many samples each. */
+  readonly onBatch?: (done: number, batches: number, samples: number) => void;
 }
 
-/** Begins with few samples and takes as many more as `more` says, each time with other seeds. */
+/** Begins with few samples and takes as many more as `more` says, with other seeds: a round adds to the ones before. */
 export async function estimate(render: RenderBatch, options: EstimateOptions): Promise<Estimate> {
   const most = Math.max(1, Math.floor(options.mostSamples / BATCHES));
-  let samples = Math.min(PILOT, most);
-  for (let round = 0; ; round++) {
-    const result = await meanOfBatches(render, samples, round);
+  const batches = Array.from({ length: BATCHES }, () => new Batch());
+  let more = Math.min(PILOT, most);
+  for (let round = 0, samples = 0; ; round++) {
+    await addRound(render, batches, round, more, options);
+    samples += more;
+    const result = meanOf(batches, samples);
     options.onRound?.(result);
-    const more = options.more(result);
-    if (!(more > 1) || samples >= most) return result;
-    // A sequence of Sobol points is at its best in powers of two.
-    samples = Math.min(most, samples * Math.min(GROWTH, 2 ** Math.ceil(Math.log2(more))));
+    const wanted = Math.ceil(samples * Math.min(options.more(result), GROWTH));
+    more = Math.min(wanted, most) - samples;
+    if (!(more > 0)) return result;
   }
 }
 
-async function meanOfBatches(render: RenderBatch, samples: number, round: number): Promise<Estimate> {
+async function addRound(
+  render: RenderBatch,
+  batches: readonly Batch[],
+  round: number,
+  samples: number,
+  { onBatch }: EstimateOptions,
+): Promise<void> {
+  let done = 0;
   // Batches are asked for at once: whoever renders may have several hands.
-  const seeds = Array.from({ length: BATCHES }, (_, batch) => round * BATCHES + batch + 1);
-  const gathered = new Gathered();
-  await Promise.all(seeds.map(async (seed) => gathered.add(await render(seed, samples))));
-  return gathered.estimate(samples);
+  const renders = batches.map(async (batch, i) => {
+    batch.add(await render(round * BATCHES + i + 1, samples), samples);
+    onBatch?.(++done, BATCHES, samples);
+  });
+  await Promise.all(renders);
 }
 
 /** For who draws one picture after the other: `estimate` asks for many at once. */
@@ -61,47 +73,38 @@ export function inTurns(render: RenderBatch): RenderBatch {
   };
 }
 
-/** Running means and sums of squared deviations (B. Welford, Technometrics 4(3), 1962). */
-class Gathered {
-  #count = 0;
-  #rgb = new Float64Array(0);
-  #grey = new Float64Array(0);
-  #squares = new Float64Array(0);
-  readonly #means: number[] = [];
+/** A picture that gets better: the mean of all its samples so far. */
+class Batch {
+  rgb = new Float64Array(0);
+  #samples = 0;
 
-  add(rgb: Float64Array): void {
-    const grey = greyOf(rgb);
-    if (this.#count === 0) {
-      this.#rgb = new Float64Array(rgb.length);
-      this.#grey = new Float64Array(grey.length);
-      this.#squares = new Float64Array(grey.length);
-    }
-    const count = ++this.#count;
-    this.#means.push(average(grey));
-    this.#rgb.forEach((mean, i, all) => {
-      all[i] = mean + ((rgb[i] as number) - mean) / count;
-    });
-    this.#grey.forEach((mean, i, all) => {
-      const step = (grey[i] as number) - mean;
-      const next = mean + step / count;
-      all[i] = next;
-      this.#squares[i] = (this.#squares[i] as number) + step * ((grey[i] as number) - next);
-    });
+  add(rgb: Float64Array, samples: number): void {
+    this.#samples += samples;
+    const part = samples / this.#samples;
+    this.rgb = rgb.map((value, i) => (part === 1 ? value : (this.rgb[i] as number) * (1 - part) + value * part));
   }
+}
 
-  estimate(samples: number): Estimate {
-    const count = this.#count;
-    const mean = average(this.#means);
-    const spread = this.#means.reduce((sum, value) => sum + (value - mean) ** 2, 0);
-    const errorOf = (squares: number): number => Math.sqrt(squares / (count - 1) / count);
-    return {
-      rgb: this.#rgb,
-      error: this.#squares.map(errorOf),
-      meanError: mean > 0 ? errorOf(spread) / mean : 0,
-      samples: samples * count,
-      batches: count,
-    };
-  }
+/** @param samples of each batch */
+function meanOf(batches: readonly Batch[], samples: number): Estimate {
+  const pictures = batches.map(({ rgb }) => rgb);
+  const greys = pictures.map(greyOf);
+  const means = greys.map(average);
+  const mean = average(means);
+  return {
+    rgb: (pictures[0] as Float64Array).map((_, i) => average(pictures.map((rgb) => rgb[i] as number))),
+    error: (greys[0] as Float64Array).map((_, i) => errorOfMean(greys.map((grey) => grey[i] as number))),
+    meanError: mean > 0 ? errorOfMean(means) / mean : 0,
+    samples: samples * batches.length,
+    batches: batches.length,
+  };
+}
+
+/** Standard error of the mean of independent values. */
+function errorOfMean(values: readonly number[]): number {
+  const mean = average(values);
+  const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
+  return Math.sqrt(squares / (values.length - 1) / values.length);
 }
 
 /** (R + G + B) / 3 of each pixel. */

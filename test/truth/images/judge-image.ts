@@ -31,6 +31,8 @@ export interface ImageRow {
   readonly skippedFraction: number | null;
   /** In dB, of the sRGB pictures from 0 to 1. */
   readonly psnr: number | null;
+  /** How long it took, on this machine. */
+  readonly minutes: number | null;
   /** Why there is no picture. */
   readonly skipped: string | null;
   /** The limits that are not kept which say that the two pictures are not the same, in words. */
@@ -43,9 +45,9 @@ export interface ImageRow {
 const FLOOR = 1e-5;
 /** Of our mean standard error in units of theirs. */
 const MAX_ERROR_RATIO = 3;
-/** What is aimed at, and where nothing more is to be learnt from more samples. */
-const GOOD_ERROR_RATIO = 2;
-const LEAST_ERROR_RATIO = 0.5;
+/** What is aimed at, with a margin for what the first samples do not tell; and where no more is to be learnt from more. */
+const GOOD_ERROR_RATIO = 2.7;
+const LEAST_ERROR_RATIO = 1;
 const MAX_BIAS = 0.003;
 const RMS_Z_RANGE = [0.9, 1.1] as const;
 /** In floors: with less noise than this, z is made small by the floor. */
@@ -76,7 +78,7 @@ export function errorRatio(ours: Estimate, theirs: ImageTruth): number {
   return own / other;
 }
 
-export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth): ImageRow {
+export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth, minutes: number | null = null): ImageRow {
   const [grey, right] = [greyOf(ours.rgb), greyOf(theirs.rgb)];
   const pixels = finitePixels(grey, right);
   const z = zScores(ours, theirs);
@@ -105,6 +107,7 @@ export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth): I
     errorRatio: errorRatio(ours, theirs),
     skippedFraction: 1 - pixels.length / grey.length,
     psnr: psnr(ours.rgb, theirs.rgb),
+    minutes,
     skipped: null,
   };
   const disagrees = disagreements(row);
@@ -168,6 +171,7 @@ export const skippedRow = (scene: string, side: ImageSide, why: string, broken =
   errorRatio: null,
   skippedFraction: null,
   psnr: null,
+  minutes: null,
   skipped: why,
   disagrees: [],
   broken: broken ? [why] : [],

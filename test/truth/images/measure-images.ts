@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { type EnvironmentImages, parseScene, SceneError } from '@ray-scene/core';
 import type { Gpu } from '../gpu-side.ts';
 import { differencePicture } from './difference-picture.ts';
-import { type Estimate, estimate, inTurns, type RenderBatch } from './estimate.ts';
+import { type Estimate, type EstimateOptions, estimate, inTurns, type RenderBatch } from './estimate.ts';
 import { type ImageTruth, readImageTruth } from './image-truth.ts';
 import { errorRatio, type ImageRow, type ImageSide, imageRow, moreSamples, skippedRow } from './judge-image.ts';
 import { ReferencePool } from './reference-pool.ts';
@@ -25,27 +25,35 @@ export interface ImageOptions {
   readonly pictures?: string | undefined;
   /** Told what is being done, for whoever waits. */
   readonly onProgress: (what: string) => void;
+  /** Told of all rows so far, at each new one: who is interrupted has these. */
+  readonly onRow: (rows: readonly ImageRow[]) => void;
 }
+
+/** How often it is told how far a round has come. */
+const PROGRESS_MS = 15_000;
 
 type Renderable = Exclude<TranslatedScene, { readonly skipped: string }>;
 
+/** Makes a scene ready to be rendered. */
+type Renderer = (scene: Renderable) => Promise<RenderBatch>;
+
 export async function measureImages(options: ImageOptions): Promise<readonly ImageRow[]> {
-  const names = sceneNames(options);
+  const { data, gpu, onRow } = options;
   const pool = options.onCpu ? new ReferencePool() : undefined;
   const rows: ImageRow[] = [];
   try {
-    for (const name of names) {
-      const truth = await imageTruth(join(options.data, name));
-      const images = await environmentImages(truth.scene, (file) => bytesOf(join(options.data, file)));
-      const translated = translateScene(truth.scene);
-      if (pool) {
-        rows.push(
-          await measureImage('reference', truth, translated, options, (scene) => onPool(pool, scene, truth, images)),
-        );
+    for (const name of sceneNames(options)) {
+      const truth = await imageTruth(join(data, name));
+      const images = await environmentImages(truth.scene, (file) => bytesOf(join(data, file)));
+      const sides: readonly (readonly [ImageSide, Renderer | undefined])[] = [
+        ['reference', pool && ((scene) => onPool(pool, scene, truth, images))],
+        ['gpu', gpu && ((scene) => onGpu(gpu, scene, truth, images))],
+      ];
+      for (const [side, renderer] of sides) {
+        if (!renderer) continue;
+        rows.push(await measureImage(side, truth, options, renderer));
+        onRow(rows);
       }
-      const { gpu } = options;
-      if (gpu)
-        rows.push(await measureImage('gpu', truth, translated, options, (scene) => onGpu(gpu, scene, truth, images)));
     }
   } finally {
     await pool?.close();
@@ -68,11 +76,11 @@ const bytesOf = async (file: string): Promise<ArrayBuffer> => new Uint8Array(awa
 async function measureImage(
   side: ImageSide,
   truth: ImageTruth,
-  translated: TranslatedScene,
   options: ImageOptions,
-  renderer: (scene: Renderable) => Promise<RenderBatch>,
+  renderer: Renderer,
 ): Promise<ImageRow> {
   const { name } = truth.scene;
+  const translated = translateScene(truth.scene);
   if (translated.skipped !== undefined) return skippedRow(name, side, translated.skipped);
   try {
     parseScene(translated.scene);
@@ -80,10 +88,10 @@ async function measureImage(
     const ours = await estimate(await renderer(translated), {
       more: (one) => moreSamples(one, truth),
       mostSamples: options.mostSamples,
-      onRound: (one) => options.onProgress(progress(side, one, truth, performance.now() - start)),
+      ...progress(`${name} ${side}`, truth, options.onProgress),
     });
     if (options.pictures) savePicture(join(options.pictures, `${name}-${side}.png`), ours, truth);
-    return imageRow(side, ours, truth);
+    return imageRow(side, ours, truth, (performance.now() - start) / 60_000);
   } catch (error) {
     // A scene that our language has no words for should be translated in another way.
     if (error instanceof SceneError) return skippedRow(name, side, error.message, true);
@@ -114,11 +122,31 @@ async function onGpu(
   return inTurns((seed, samples) => gpu.samples(seed, samples));
 }
 
-function progress(side: ImageSide, ours: Estimate, truth: ImageTruth, milliseconds: number): string {
-  const ratio = errorRatio(ours, truth).toPrecision(3);
-  const seconds = (milliseconds / 1000).toFixed(0);
-  return `${truth.scene.name} ${side}: ${ours.samples} samples, errors ${ratio} times theirs, ${seconds} s`;
+/** Tells at the end of each round how good the picture is, and now and then when a longer round ends. */
+function progress(
+  what: string,
+  truth: ImageTruth,
+  tell: ImageOptions['onProgress'],
+): Pick<EstimateOptions, 'onRound' | 'onBatch'> {
+  const start = performance.now();
+  let [round, told] = [start, start];
+  return {
+    onRound(ours) {
+      round = told = performance.now();
+      const ratio = errorRatio(ours, truth).toPrecision(3);
+      tell(`${what}: ${ours.samples} samples, errors ${ratio} times theirs, ${seconds(round - start)}`);
+    },
+    onBatch(done, batches, samples) {
+      const now = performance.now();
+      if (done === batches || now - told < PROGRESS_MS) return;
+      told = now;
+      const left = seconds(((now - round) / done) * (batches - done));
+      tell(`${what}: ${done} of ${batches} × ${samples} more samples, ${left} to go`);
+    },
+  };
 }
+
+const seconds = (milliseconds: number): string => `${(milliseconds / 1000).toFixed(0)} s`;
 
 function savePicture(file: string, ours: Estimate, truth: ImageTruth): void {
   mkdirSync(join(file, '..'), { recursive: true });

@@ -1,7 +1,17 @@
 /** Twin of the generated shaders/generated/nearest.glsl: which object a ray meets first, and whether any is in its way. */
-import type { ResolvedScene } from '../resolve-scene.ts';
+import type { ShapeKind } from '../primitives/index.ts';
+import type { ResolvedObject, ResolvedScene } from '../resolve-scene.ts';
 import { MISS, type Ray } from './ray.ts';
-import { tracedShape } from './shape/index.ts';
+import { type TracedShape, tracedShape } from './shape/index.ts';
+
+/** An object and, where many rays are to come, how its shape is met: found once. */
+export interface TracedObject extends ResolvedObject {
+  readonly traced?: TracedShape<ShapeKind>;
+}
+
+export interface TracedScene extends ResolvedScene {
+  readonly objects: readonly TracedObject[];
+}
 
 export interface Hit {
   /** Number of the object in `scene.objects`. */
@@ -10,17 +20,23 @@ export interface Hit {
 }
 
 /** The nearest intersection with t > 0. */
-export function nearest({ objects }: ResolvedScene, ray: Ray): Hit | undefined {
-  let hit: Hit | undefined;
-  objects.forEach(({ shape }, object) => {
-    const t = tracedShape(shape).distance(shape, ray, ray.own === object);
-    if (t < (hit?.t ?? MISS)) hit = { object, t };
-  });
-  return hit;
+export function nearest({ objects }: TracedScene, ray: Ray): Hit | undefined {
+  let object = -1;
+  let t = MISS;
+  for (let i = 0; i < objects.length; i++) {
+    const distance = distanceTo(objects[i] as TracedObject, ray, i);
+    if (distance < t) [object, t] = [i, distance];
+  }
+  return object < 0 ? undefined : { object, t };
 }
 
 /** Whether something is in the way within a distance, other than the lamp that is there. */
-export const occluded = ({ objects }: ResolvedScene, ray: Ray, limit: number, lamp?: number): boolean =>
-  objects.some(
-    ({ shape }, object) => object !== lamp && tracedShape(shape).distance(shape, ray, ray.own === object) < limit,
-  );
+export function occluded({ objects }: TracedScene, ray: Ray, limit: number, lamp?: number): boolean {
+  for (let i = 0; i < objects.length; i++) {
+    if (i !== lamp && distanceTo(objects[i] as TracedObject, ray, i) < limit) return true;
+  }
+  return false;
+}
+
+const distanceTo = ({ shape, traced = tracedShape(shape) }: TracedObject, ray: Ray, number: number): number =>
+  traced.distance(shape, ray, ray.own === number);
