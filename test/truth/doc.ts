@@ -1,17 +1,28 @@
-/** The measured table of docs/how-exact.md, written by `npm run truth -- --only vectors --doc docs/how-exact.md`. */
+/**
+ * The measured tables of docs/how-exact.md, written by `npm run truth -- --only vectors --doc docs/how-exact.md`, and by
+ * `--only images`.
+ */
 import { readFileSync, writeFileSync } from 'node:fs';
+import { type ImageRow, percent } from './images/judge-image.ts';
 import type { Truth } from './report.ts';
 import type { VectorRow } from './rows.ts';
 
-const START = '<!-- measured -->\n';
-const END = '<!-- end of measured -->';
-
-/** Writes the table between the two marks of a Markdown file. @throws {Error} when it does not have them. */
+/**
+ * Writes what was measured between the marks of a Markdown file: of vectors after `<!-- measured -->`, of images after
+ * `<!-- measured pictures -->`. @throws {Error} when it does not have them.
+ */
 export function writeDoc(file: string, truth: Truth): void {
-  const text = readFileSync(file, 'utf8');
-  const [from, to] = [text.indexOf(START), text.indexOf(END)];
-  if (from < 0 || to < from) throw new Error(`${file} has no place for the table, from ${START.trim()} to ${END}`);
-  writeFileSync(file, text.slice(0, from + START.length) + measuredText(truth) + text.slice(to));
+  let text = readFileSync(file, 'utf8');
+  if (truth.vectors.length > 0) text = withTable(text, 'measured', measuredText(truth));
+  if (truth.images.length > 0) text = withTable(text, 'measured pictures', picturesText(truth.images));
+  writeFileSync(file, text);
+}
+
+function withTable(text: string, what: string, table: string): string {
+  const [start, end] = [`<!-- ${what} -->\n`, `<!-- end of ${what} -->`];
+  const [from, to] = [text.indexOf(start), text.indexOf(end)];
+  if (from < 0 || to < from) throw new Error(`there is no place for the table, from ${start.trim()} to ${end}`);
+  return text.slice(0, from + start.length) + table + text.slice(to);
 }
 
 const SIDES = ['reference', 'gpu-camera', 'gpu-secondary'] as const;
@@ -50,3 +61,24 @@ const errorCells = (row: VectorRow | undefined): readonly string[] =>
   row ? [short(row.p99), short(row.max)] : ['', ''];
 
 const short = (value: number): string => (value < 1000 ? value.toPrecision(2) : value.toExponential(0));
+
+const PICTURES_HEAD = `| scene | side | samples | bias | ± | rms z | of noise | expected | errors | left out | PSNR | minutes |
+| --- | --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |
+`;
+
+function picturesText(rows: readonly ImageRow[]): string {
+  const broken = rows.flatMap(({ scene, side, broken: limits }) =>
+    limits.map((limit) => `${scene}, ${side}: ${limit}`),
+  );
+  const verdict = broken.length > 0 ? `Limits broken: ${broken.join('; ')}.` : 'All limits are kept.';
+  return `\n${PICTURES_HEAD}${rows.map(pictureLine).join('')}\n${verdict}\n\n`;
+}
+
+function pictureLine(row: ImageRow): string {
+  const { scene, side, skipped } = row;
+  if (skipped !== null) return `| ${scene} | ${side} | ${skipped} | | | | | | | | | |\n`;
+  const shares = [row.bias, row.biasError].map((share) => percent(share ?? 0));
+  const ratios = [row.rmsZ, row.rmsZNoisy, row.expectedRmsZ, row.errorRatio].map((ratio) => (ratio ?? 0).toFixed(2));
+  const rest = [percent(row.skippedFraction ?? 0), (row.psnr ?? 0).toFixed(1), (row.minutes ?? 0).toFixed(1)];
+  return `| ${[scene, side, row.samples, ...shares, ...ratios, ...rest].join(' | ')} |\n`;
+}

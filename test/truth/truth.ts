@@ -1,5 +1,5 @@
 /** `npm run truth`: how right the reference and the GPU are, by numbers that this project did not make. See HELP. */
-import { readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
@@ -30,7 +30,8 @@ Measures the f64 reference and the GPU path against ground truth that this proje
                   of at most 3 times that of the truth needs, by the error of the first 128
   --pictures DIR  of the images, writes PNG files there: ours, theirs, and the difference in standard errors
   --json FILE     writes all numbers there, of the images at each one
-  --doc FILE      writes the table of vectors there: docs/how-exact.md has a place for it
+  --resume        of the images, does not measure again what FILE has and is good
+  --doc FILE      writes the tables of vectors and images there: docs/how-exact.md has places for them
 
 Ends with 1 when a limit is broken.`;
 
@@ -45,6 +46,7 @@ const { values: options } = parseArgs({
     samples: { type: 'string', default: '65536' },
     pictures: { type: 'string' },
     json: { type: 'string' },
+    resume: { type: 'boolean', default: false },
     doc: { type: 'string' },
     help: { type: 'boolean', default: false },
   },
@@ -68,6 +70,7 @@ const images = (
   measureImages({
     data: join(options.data, 'images'),
     scene: options.scene,
+    known: knownImages(),
     onCpu,
     gpu,
     mostSamples: Number(options.samples),
@@ -75,6 +78,13 @@ const images = (
     onProgress: (what) => console.error(what),
     onRow,
   });
+
+/** What an earlier run has written, unless it broke a limit. */
+function knownImages(): readonly ImageRow[] {
+  if (!options.resume || !options.json || !existsSync(options.json)) return [];
+  const { images: rows } = JSON.parse(readFileSync(options.json, 'utf8')) as Truth;
+  return rows.filter(({ broken }) => broken.length === 0);
+}
 
 interface VectorResult {
   readonly rows: readonly VectorRow[];
