@@ -59,7 +59,7 @@ for (const [text, hint] of [
   ['constructor', ''],
 ] as const) {
   test(`"${text}" is no colour`, () => {
-    const message = `must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or linear [r, g, b], not "${text}"${hint}`;
+    const message = `must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or, in JSON, linear [r, g, b], not "${text}"${hint}`;
     assert.throws(() => read(text), { message: `materials.a: color ${message}` });
   });
 }

@@ -100,7 +100,7 @@ const messages: readonly [what: string, scene: unknown, told: readonly string[]]
     'a colour outside sRGB',
     { objects: [{ type: 'sphere', color: 'oklch(0.7 0.4 150)' }] },
     [
-      'objects[0]: color must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or linear [r, g, b], ' +
+      'objects[0]: color must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or, in JSON, linear [r, g, b], ' +
         'not "oklch(0.7 0.4 150)", which is outside the sRGB gamut',
     ],
   ],

@@ -34,7 +34,7 @@ export const problemTexts = {
   vector: ({ above, nonzero }: Limits) =>
     `must be three numbers "x y z"${above === undefined ? (nonzero ? ', not all 0' : '') : ` above ${above}`}`,
   factors: () => 'must be one number or three "x y z", each from 1e-12 to 1e12 or the negative of that',
-  color: () => 'must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or linear [r, g, b]',
+  color: () => 'must be a colour like "crimson", "#8c3", "oklch(0.7 0.1 200)" or, in JSON, linear [r, g, b]',
   linearColor: ({ max }: Limits) => `must be three numbers from 0${max === undefined ? '' : ` to ${max}`}`,
   choice: (choices: readonly string[]) => `must be ${choices.map((word) => `"${word}"`).join(' or ')}`,
   name: (what: string) => `must be ${what}`,

@@ -46,12 +46,12 @@ export interface ResolvedScene {
 
 /** The neutral studio that lights a scene without light of its own: a soft sky and one key light from the upper left. */
 const studio = {
-  environment: { kind: 'gradient', top: [1, 1, 1], bottom: [0.25, 0.25, 0.25] } satisfies ResolvedEnvironment,
+  environment: { kind: 'gradient', top: [0.55, 0.55, 0.55], bottom: [0.1, 0.1, 0.1] } satisfies ResolvedEnvironment,
   key: {
     type: 'directional',
-    direction: [1, -2, -1.5],
+    direction: [1, -2, -1],
     color: [1, 1, 1],
-    intensity: 1.6,
+    intensity: 1.5,
     angularDiameter: 0,
   } satisfies Light,
 } as const;
