@@ -8,12 +8,13 @@
 // deviation is √2 times itself. Over the 3 × 262,144 of a picture of 512 × 512 that is a quarter of a percent where pixels
 // are independent, and more where they share their random numbers, as they do along edges.
 //
-// The mean under it is not known either. m² = (a e + b o)² is too large by v, the variance, and grows with every sample
-// that is too bright: the quotient comes out too small. e o is right in the mean, and hardly grows; but it may be near 0 by
-// luck: too large. Half-way between the two, m² - v / 2, the errors cancel. Measured on 21 images whose variance per pixel
-// is known, with samples drawn by a normal, a gamma and a two-point law of that variance, at 16, 64 and 256 samples:
-// estimated over true error is 0.77 to 1.14 with m², 0.95 to 1.79 with e o, 0.83 to 1.19 with this one.
-// Smoothing either over neighbours first is worse: 0.97 to 4.4 with 7 × 7 pixels, because noise is next to edges.
+// The mean under it is not known either, and a sample that is too bright makes both larger, so that their quotient would be
+// hardly 4, however rare and bright it was. What the four neighbours have in the mean knows nothing of that sample. But it
+// may be beyond an edge: so it counts only as far as it lies between the mean of the pixel's darker half, in which that
+// sample is not, and that of the pixel itself. That errs on the safe side, by half of what it tells: 4 % are said to be
+// 4.08 %. Up to the brighter half it would not; but beside lamps, whose edges few samples meet, it would tell half of it.
+// Measured on all examples and truth pictures with 24 pictures each of 96 × 64 pixels, at 16, 64 and 256 samples: estimated
+// over true error is within 0.8 to 1.25 in 98 of 111 cases, with the true mean under it in 94, with the pixel's own in 76.
 #include "accumulated.glsl"
 
 uniform float exposure;
@@ -21,19 +22,45 @@ uniform float exposure;
 const float EPSILON = 0.01;
 // Squares of what is larger would not be numbers.
 const float BRIGHTEST = 1e18;
+// Of one pixel. Half floats hold the root of it.
+const float MOST = 1e9;
 
 vec3 bounded(vec3 color) {
   return min(mix(vec3(0.0), color, greaterThan(color, vec3(0.0))), BRIGHTEST);
 }
 
-// Needs two samples at least.
-vec3 relativeVariance(ivec2 pixel, vec4 weight) {
+// The means of the two halves and of all samples.
+struct Means {
+  vec3 even;
+  vec3 odd;
+  vec3 all;
+};
+
+Means meansAt(ivec2 pixel, vec4 weight) {
   float a = weight.z;
   float b = 1.0 - a;
   vec3 e = bounded(exposure * (share(even, pixel, weight.x).rgb / a));
   vec3 o = bounded(exposure * (share(odd, pixel, weight.y).rgb / b));
-  vec3 difference = e - o;
-  vec3 mean = a * e + b * o;
-  vec3 variance = a * b * difference * difference;
-  return variance / (mean * mean - 0.5 * variance + EPSILON);
+  return Means(e, o, a * e + b * o);
+}
+
+// The mean around a pixel; beyond the edge of the picture, and where there are too few samples, stands the pixel itself.
+vec3 neighbours(ivec2 pixel, vec3 own) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; i++) {
+    ivec2 at = pixel + ivec2((i & 1) * (i - 2), (1 - (i & 1)) * (i - 1));
+    bool isIn = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, textureSize(even, 0)));
+    vec4 weight = isIn ? weightsAt(at) : vec4(0.0);
+    sum += weight.w > 1.5 ? meansAt(at, weight).all : own;
+  }
+  return 0.25 * sum;
+}
+
+// Needs two samples at least.
+vec3 relativeVariance(ivec2 pixel, vec4 weight) {
+  Means means = meansAt(pixel, weight);
+  vec3 difference = means.even - means.odd;
+  vec3 variance = weight.z * (1.0 - weight.z) * difference * difference;
+  vec3 mean = clamp(neighbours(pixel, means.all), min(means.even, means.odd), means.all);
+  return min(variance / (mean * mean + EPSILON), MOST);
 }

@@ -8,6 +8,7 @@ import { Gpu } from '../truth/gpu-side.ts';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
 import { type Convergence, measureConvergence, printConvergence } from './convergence.ts';
+import { FRAMES_PAGE, measureFrames } from './frames.ts';
 import { GOVERNED_PAGE, measureGoverned, printGovernedFoot, printGovernedHead } from './governed.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
 import { type BenchOptions, oneOf, readOptions, USAGE } from './options.ts';
@@ -78,6 +79,13 @@ async function benchAdaptive(browser: Browser, scenes: readonly SceneToBench[], 
   return { maxError, adaptive };
 }
 
+async function benchFrames(browser: Browser, scenes: readonly SceneToBench[]) {
+  const started = await startBrowser(browser, FRAMES_PAGE);
+  const frames = await measureFrames(started, scenes);
+  await started.close();
+  return { frames };
+}
+
 async function benchScenes(browser: Browser, scenes: readonly SceneToBench[], plan: Plan) {
   const result = { scenes: await measure(() => startBrowser(browser), scenes, plan) };
   printScenes(result.scenes, plan);
@@ -99,6 +107,7 @@ async function bench(options: BenchOptions) {
     ...(parts.includes('primitives') && (await benchPrimitives(browser, plan))),
     ...(parts.includes('convergence') && (await benchConvergence(browser, scenes))),
     ...(parts.includes('adaptive') && (await benchAdaptive(browser, scenes, options))),
+    ...(parts.includes('frames') && (await benchFrames(browser, scenes))),
     ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),
   };
   if (!parts.includes('trade')) return write(json, result);

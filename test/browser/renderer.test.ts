@@ -360,9 +360,12 @@ describe('a picture that takes longer than a frame', () => {
     first.dispose();
   });
 
-  it('is drawn at once where that takes hardly longer than a frame', () => {
+  it('is drawn at once only where a frame has time for that', () => {
     renderer.setCamera(turned(1));
-    renderer.draw(70);
+    renderer.draw(90);
+    expect(most).to.be.at.most(0.9 * 256 ** 2);
+    renderer.setCamera(turned(2));
+    renderer.draw(130);
     expect(renderer.samples).to.equal(1);
     expect(canvas.width).to.equal(256);
   });

@@ -103,6 +103,13 @@ test('a pace forgets what the first measurement had too much, and follows', () =
   assert.ok(pace.msFor(1000) > 99);
 });
 
+test('a pace that wavers is taken to be slow rather than fast: frames that are too long are seen', () => {
+  const pace = new Pace();
+  const measured = [8, 12, 10, 9, 11, 7, 13];
+  for (let i = 0; i < 70; i++) pace.learn(measured[i % measured.length] as number, 1);
+  assert.ok(pace.msFor(1) > 10 && pace.msFor(1) < 13, `${pace.msFor(1)}`);
+});
+
 const noise = (error: number, samples = 64) => ({ error, samples });
 
 test('whichever rule comes first ends a picture', () => {

@@ -9,13 +9,11 @@ import type { SceneTextures } from './scene-textures.ts';
 import { Tracer } from './tracer.ts';
 import type { View } from './view.ts';
 
-/** How many budgets a first sample of all pixels may take. One that takes more is drawn in tiles, after previews. */
-const AT_ONCE = 1.5;
 /** With fewer pixels nothing can be recognised: where even they take longer than a budget, so be it. */
-const FEWEST_PIXELS = 2 ** 12;
+const FEWEST_PIXELS = 2 ** 10;
 /** How often the pixels of a preview are doubled for the next: all of them together take a third of a sample. */
 const FINER = 2;
-/** How far the pace may move, as a power of two, before previews of another size are made. */
+/** How much faster samples must come, as a power of two, than previews of the next size take to be made. */
 const SLACK = 0.25;
 
 /** A smaller picture, and how many pixels were drawn just now. It is to be shown when it is whole. */
@@ -112,10 +110,7 @@ export class Sampling {
    * @param order where they are to go, if not evenly.
    */
   add(budgetMs: number, most: number, order?: AdaptiveOrder): number {
-    const accumulation = this.#accumulation as Accumulation;
-    const { width, height, cells } = accumulation;
-    const isShort = cells.rays === 0 && this.pace.msFor(width * height) <= AT_ONCE * budgetMs;
-    return this.#fill(accumulation, isShort ? AT_ONCE * budgetMs : budgetMs, most, order);
+    return this.#fill(this.#accumulation as Accumulation, budgetMs, most, order);
   }
 
   /** Frees what it has on the GPU. */
@@ -140,11 +135,10 @@ export class Sampling {
   #coarse(budgetMs: number): number {
     const { width, height } = this.#view;
     const budgets = (width * height) / Math.max(FEWEST_PIXELS, this.pace.pixelsIn(budgetMs));
-    if (budgets <= AT_ONCE) return 0;
     const halvings = Math.log2(budgets);
     // In steps that a pace which wavers does not cross again and again.
     const spare = this.#coarsest - halvings;
-    return spare < -SLACK || spare > 1 + SLACK ? Math.ceil(halvings) : this.#coarsest;
+    return spare < 0 || spare > 1 + SLACK ? Math.max(0, Math.ceil(halvings)) : this.#coarsest;
   }
 
   #fill(accumulation: Accumulation, budgetMs: number, most: number, order?: AdaptiveOrder): number {
