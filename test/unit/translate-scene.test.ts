@@ -129,7 +129,15 @@ test('checkers count cells from the corner, along the edges', () => {
   const material: NeutralMaterial = { type: 'lambert', checker };
   const [quad] = ours(with1(material, floor)).objects;
   assert.deepEqual([quad?.color, quad?.checker, quad?.checkerSize], [[1, 1, 1], [0, 0, 0], 0.5]);
-  assert.match(String(reason(with1(material, { ...floor, edgeU: [-8, 0, 0] }))), /checker/);
+  const [turned] = ours(with1(material, { ...floor, edgeU: [-8, 0, 0] })).objects;
+  assert.deepEqual(
+    [turned?.color, turned?.checker],
+    [
+      [0, 0, 0],
+      [1, 1, 1],
+    ],
+  );
+  assert.match(String(reason(with1(material, { ...floor, edgeU: [8, 0, 1] }))), /checker/);
   assert.match(String(reason(with1(material))), /checker/);
 });
 

@@ -42,16 +42,19 @@ export function materialOf(object: NeutralObject, scene: NeutralScene): object {
   };
 }
 
+/** Theirs counts cells along +x and -z from the corner, ours along the edges; which of these is called U does not matter. */
 function checkered(
   { shape, edgeU = [0, 0, 0], edgeV = [0, 0, 0] }: NeutralObject,
   { cell, color0, color1 }: NonNullable<NeutralMaterial['checker']>,
 ): object {
-  const along = (edge: Vec3, axis: number, sign: number): boolean =>
-    edge.every((x, i) => (i === axis ? x * sign > 0 : x === 0));
-  // Its cells are counted along +x and -z; which of them is called U does not matter.
-  const counted = along(edgeU, 0, 1) ? along(edgeV, 2, -1) : along(edgeU, 2, -1) && along(edgeV, 0, 1);
-  if (shape !== 'rectangle' || !counted) throw new Untranslatable(`there is no such checker on a ${shape}`);
-  return { color: color0, checker: color1, checkerSize: cell, roughness: 1, specular: 0 };
+  const edges = [edgeU, edgeV];
+  const alongX = edges.find(([, y, z]) => y === 0 && z === 0);
+  const alongZ = edges.find(([x, y]) => x === 0 && y === 0);
+  if (shape !== 'rectangle' || !alongX || !alongZ) throw new Untranslatable(`there is no such checker on a ${shape}`);
+  // Counted the other way, the first cell is number -1.
+  const turned = alongX[0] < 0 !== alongZ[2] > 0;
+  const [color, checker] = turned ? [color1, color0] : [color0, color1];
+  return { color, checker, checkerSize: cell, roughness: 1, specular: 0 };
 }
 
 const sides: { readonly [side: string]: string } = {
