@@ -54,11 +54,12 @@ export class Gpu {
 
   /** The mean of so many samples of the picture shown, linear RGB, the top row first. */
   async samples(seed: number, samples: number): Promise<Float64Array> {
-    const passes = Math.ceil(samples / SAMPLES);
     let mean: Float64Array = new Float64Array(0);
-    for (let pass = 0; pass < passes; pass++) {
-      const rgb = await this.#pass(seed * 2 ** 16 + pass, samples / passes);
-      mean = pass === 0 ? rgb : mean.map((value, i) => value + ((rgb[i] as number) - value) / (pass + 1));
+    for (let done = 0, pass = 0; done < samples; pass++) {
+      const count = Math.min(SAMPLES, samples - done);
+      const rgb = await this.#pass(seed * 2 ** 16 + pass, count);
+      done += count;
+      mean = pass === 0 ? rgb : mean.map((value, i) => value + ((rgb[i] as number) - value) * (count / done));
     }
     return mean;
   }

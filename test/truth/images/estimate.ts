@@ -18,7 +18,7 @@ export interface Estimate {
 const BATCHES = 16;
 /** Samples of each batch in the first round. */
 const PILOT = 8;
-/** No picture gets this many times as large in a round: where errors fall faster than one over the square root, less is enough. */
+/** No round grows by more than this: where errors fall faster than one over the square root, less is enough. */
 const GROWTH = 16;
 
 export interface EstimateOptions {
@@ -31,36 +31,40 @@ export interface EstimateOptions {
   readonly onBatch?: (done: number, batches: number, samples: number) => void;
 }
 
-/** Begins with few samples and takes as many more as `more` says, with other seeds: a round adds to the ones before. */
+/** Begins with few samples and takes as many more as `more` says, each time with other seeds. */
 export async function estimate(render: RenderBatch, options: EstimateOptions): Promise<Estimate> {
   const most = Math.max(1, Math.floor(options.mostSamples / BATCHES));
-  const batches = Array.from({ length: BATCHES }, () => new Batch());
-  let more = Math.min(PILOT, most);
-  for (let round = 0, samples = 0; ; round++) {
-    await addRound(render, batches, round, more, options);
-    samples += more;
-    const result = meanOf(batches, samples);
+  let samples = Math.min(PILOT, most);
+  for (let round = 0; ; round++) {
+    // Nothing of the round before is kept: in smooth pictures its few samples would do more harm than good.
+    const result = await meanOfBatches(render, samples, round, options);
     options.onRound?.(result);
-    const wanted = Math.ceil(samples * Math.min(options.more(result), GROWTH));
-    more = Math.min(wanted, most) - samples;
-    if (!(more > 0)) return result;
+    const more = options.more(result);
+    if (!(more > 1) || samples >= most) return result;
+    samples = Math.min(most, balanced(samples * Math.min(GROWTH, more)));
   }
 }
 
-async function addRound(
+/** So many or a few more: sequences of Sobol points are at their best in powers of two, and good in halves between these. */
+function balanced(samples: number): number {
+  const power = 2 ** Math.ceil(Math.log2(samples));
+  return samples <= 0.75 * power ? 0.75 * power : power;
+}
+
+async function meanOfBatches(
   render: RenderBatch,
-  batches: readonly Batch[],
-  round: number,
   samples: number,
+  round: number,
   { onBatch }: EstimateOptions,
-): Promise<void> {
+): Promise<Estimate> {
   let done = 0;
   // Batches are asked for at once: whoever renders may have several hands.
-  const renders = batches.map(async (batch, i) => {
-    batch.add(await render(round * BATCHES + i + 1, samples), samples);
+  const pictures = Array.from({ length: BATCHES }, async (_, i) => {
+    const rgb = await render(round * BATCHES + i + 1, samples);
     onBatch?.(++done, BATCHES, samples);
+    return rgb;
   });
-  await Promise.all(renders);
+  return meanOf(await Promise.all(pictures), samples);
 }
 
 /** For who draws one picture after the other: `estimate` asks for many at once. */
@@ -73,21 +77,8 @@ export function inTurns(render: RenderBatch): RenderBatch {
   };
 }
 
-/** A picture that gets better: the mean of all its samples so far. */
-class Batch {
-  rgb = new Float64Array(0);
-  #samples = 0;
-
-  add(rgb: Float64Array, samples: number): void {
-    this.#samples += samples;
-    const part = samples / this.#samples;
-    this.rgb = rgb.map((value, i) => (part === 1 ? value : (this.rgb[i] as number) * (1 - part) + value * part));
-  }
-}
-
-/** @param samples of each batch */
-function meanOf(batches: readonly Batch[], samples: number): Estimate {
-  const pictures = batches.map(({ rgb }) => rgb);
+/** @param samples of each picture */
+function meanOf(pictures: readonly Float64Array[], samples: number): Estimate {
   const greys = pictures.map(greyOf);
   const means = greys.map(average);
   const mean = average(means);
@@ -95,8 +86,8 @@ function meanOf(batches: readonly Batch[], samples: number): Estimate {
     rgb: (pictures[0] as Float64Array).map((_, i) => average(pictures.map((rgb) => rgb[i] as number))),
     error: (greys[0] as Float64Array).map((_, i) => errorOfMean(greys.map((grey) => grey[i] as number))),
     meanError: mean > 0 ? errorOfMean(means) / mean : 0,
-    samples: samples * batches.length,
-    batches: batches.length,
+    samples: samples * pictures.length,
+    batches: pictures.length,
   };
 }
 

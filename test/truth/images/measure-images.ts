@@ -144,7 +144,7 @@ function progress(
       if (done === batches || now - told < PROGRESS_MS) return;
       told = now;
       const left = seconds(((now - round) / done) * (batches - done));
-      tell(`${what}: ${done} of ${batches} × ${samples} more samples, ${left} to go`);
+      tell(`${what}: ${done} of ${batches} × ${samples} samples, ${left} to go`);
     },
   };
 }
