@@ -7,7 +7,8 @@ import { ensureDisplay } from '../display.mjs';
 import { Gpu } from '../truth/gpu-side.ts';
 import { startBrowser } from './browser-pages.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
-import { type Convergence, measureConvergence, printConvergence } from './convergence.ts';
+import { type Convergence, measureConvergence, printConvergence, printConvergenceHead } from './convergence.ts';
+import { measureFeatures, printFeature, printFeaturesHead } from './features.ts';
 import { FRAMES_PAGE, measureFrames } from './frames.ts';
 import { GOVERNED_PAGE, measureGoverned, printGovernedFoot, printGovernedHead } from './governed.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
@@ -64,10 +65,19 @@ async function benchPrimitives(browser: Browser, plan: Plan) {
 async function benchConvergence(browser: Browser, scenes: readonly SceneToBench[]) {
   const gpu = await Gpu.start(browser.engine);
   const convergence: { [scene: string]: Convergence } = {};
-  for (const { name, scene } of scenes) convergence[name] = await measureConvergence(gpu, scene);
+  printConvergenceHead();
+  for (const { name, scene } of scenes) {
+    const measured = await measureConvergence(gpu, scene);
+    convergence[name] = measured;
+    printConvergence(name, measured);
+  }
   await gpu.close();
-  printConvergence(convergence);
   return { convergence };
+}
+
+async function benchFeatures(browser: Browser, plan: Plan) {
+  printFeaturesHead(plan);
+  return { features: await measureFeatures(() => startBrowser(browser), plan, printFeature) };
 }
 
 async function benchAdaptive(browser: Browser, scenes: readonly SceneToBench[], { maxError, samples }: BenchOptions) {
@@ -106,6 +116,7 @@ async function bench(options: BenchOptions) {
     bundle,
     ...(parts.includes('primitives') && (await benchPrimitives(browser, plan))),
     ...(parts.includes('convergence') && (await benchConvergence(browser, scenes))),
+    ...(parts.includes('features') && (await benchFeatures(browser, plan))),
     ...(parts.includes('adaptive') && (await benchAdaptive(browser, scenes, options))),
     ...(parts.includes('frames') && (await benchFrames(browser, scenes))),
     ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),

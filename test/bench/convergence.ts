@@ -72,16 +72,17 @@ function slopeOf(x: readonly number[], y: readonly number[]): number {
   return mean(x.map((value, i) => (value - x0) * ((y[i] as number) - y0))) / mean(x.map((value) => (value - x0) ** 2));
 }
 
-export function printConvergence(scenes: { readonly [scene: string]: Convergence }): void {
+export function printConvergenceHead(): void {
   const counts = STEPS.map(([samples]) => `${samples}`.padStart(11)).join('');
   console.log(
     `\nrelMSE of ${SIZE} × ${SIZE} pixels by samples per pixel, integrator path\n${''.padEnd(24)}${counts}      slope`,
   );
-  for (const [name, { relMse, withoutSpecks, slope }] of Object.entries(scenes)) {
-    console.log(`${row(name, relMse)}${slope.toFixed(2).padStart(11)}`);
-    console.log(row('  without specks', withoutSpecks));
-    if (name === 'classic') console.log(row('  three-gpu-pathtracer', THREE_GPU_PATHTRACER));
-  }
+}
+
+export function printConvergence(name: string, { relMse, withoutSpecks, slope }: Convergence): void {
+  console.log(`${row(name, relMse)}${slope.toFixed(2).padStart(11)}`);
+  console.log(row('  without specks', withoutSpecks));
+  if (name === 'classic') console.log(row('  three-gpu-pathtracer', THREE_GPU_PATHTRACER));
 }
 
 const row = (name: string, values: readonly number[]): string =>

@@ -1,4 +1,6 @@
 /** The measurements: cold starts in browsers that know nothing yet, then samples of pictures in turns. */
+
+import type { PackedImage } from '../truth/images/packed-image.ts';
 import type { BenchBrowser, BenchPage } from './browser-pages.ts';
 import { childrenCpuMs } from './cpu-time.ts';
 import type { Subject } from './page.ts';
@@ -15,6 +17,8 @@ export interface SceneToBench {
   readonly scene: string;
   readonly integrator: 'path' | 'direct';
   readonly bounces: number;
+  readonly clamp?: number;
+  readonly images?: readonly PackedImage[];
   /** Source of a shader that was written by hand for this scene. */
   readonly floor?: string;
 }
@@ -28,7 +32,7 @@ export interface Plan {
 }
 
 /** Medians. */
-interface ColdStart {
+export interface ColdStart {
   readonly compileMs: number;
   readonly firstFrameMs: number;
   readonly floorCompileMs?: number;
@@ -56,7 +60,7 @@ export interface Measured extends ColdStart, Samples {
   readonly bounces: number;
 }
 
-type Start = () => Promise<BenchBrowser>;
+export type Start = () => Promise<BenchBrowser>;
 
 export async function measure(
   start: Start,
@@ -80,13 +84,17 @@ export async function measure(
 }
 
 /** A scene as the generated shader draws it and, if there is one, its floor. */
-function subjectsOf({ scene, integrator, bounces, floor }: SceneToBench, size = SIZE): readonly Subject[] {
-  const subject = { scene, integrator, bounces, size };
+export function subjectsOf({ name, floor, ...scene }: SceneToBench, size = SIZE): readonly Subject[] {
+  const subject = { ...scene, size };
   return floor ? [subject, { ...subject, floor }] : [subject];
 }
 
 /** Each scene and each floor starts in a page of its own, in turns, once in every browser. */
-async function measureColdStarts(start: Start, scenes: readonly SceneToBench[], plan: Plan): Promise<ColdStart[]> {
+export async function measureColdStarts(
+  start: Start,
+  scenes: readonly SceneToBench[],
+  plan: Plan,
+): Promise<ColdStart[]> {
   const starts = scenes.map((scene) => subjectsOf(scene).map((subject) => ({ subject, times: [] as Times[] })));
   type Times = ReturnType<typeof bench.coldStart>;
   const turns = starts.flat();
@@ -126,7 +134,11 @@ interface Turn {
   readonly wall: number;
 }
 
-async function measurePace(page: BenchPage, subjects: readonly Subject[], { rounds, turnMs }: Plan): Promise<Pace> {
+export async function measurePace(
+  page: BenchPage,
+  subjects: readonly Subject[],
+  { rounds, turnMs }: Plan,
+): Promise<Pace> {
   await page.execute((prepared) => bench.prepare(prepared), subjects);
   const indices = subjects.map((_, i) => i);
   for (const index of indices) await takeTurn(page, index, 1);

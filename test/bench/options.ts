@@ -3,7 +3,7 @@ import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
 
 /** What is measured; without a wish both of the first two are. */
-export const PARTS = ['scenes', 'trade', 'primitives', 'convergence', 'adaptive', 'frames'] as const;
+export const PARTS = ['scenes', 'trade', 'primitives', 'convergence', 'adaptive', 'frames', 'features'] as const;
 export type Part = (typeof PARTS)[number];
 
 export const USAGE = `npm run bench -- [options]
@@ -16,6 +16,7 @@ Measures how long scenes take, and what each setting costs and buys.
   --only convergence  how fast the noise of paths goes down in each example; also --convergence
   --only adaptive     what it brings that samples go where the error is, its bias, and the noise at the stop; also --adaptive
   --only frames       whether work keeps to the budget of a frame while the camera is dragged; also --frames
+  --only features     what each feature adds to a small scene: characters, compile time, time of a sample; also --features
   --max-error N       what adaptive stops at (default: 0.05)
   --samples N         where adaptive gives up (default: 2048)
   --scene NAME        only this one of examples/scenes
@@ -60,13 +61,14 @@ export function readOptions(args: readonly string[]): BenchOptions {
       convergence: { type: 'boolean', default: false },
       adaptive: { type: 'boolean', default: false },
       frames: { type: 'boolean', default: false },
+      features: { type: 'boolean', default: false },
       'max-error': { type: 'string', default: '0.05' },
       samples: { type: 'string', default: '2048' },
       help: { type: 'boolean', default: false },
     },
   });
   const {
-    only = (['primitives', 'convergence', 'adaptive', 'frames'] as const).find((part) => values[part]),
+    only = (['primitives', 'convergence', 'adaptive', 'frames', 'features'] as const).find((part) => values[part]),
     quick,
     scene,
     engine,

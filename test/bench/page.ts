@@ -15,6 +15,7 @@ import {
 import { Accumulation } from '../../packages/ray-scene/src/accumulation.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/render-device.ts';
 import { Tracer } from '../../packages/ray-scene/src/tracer.ts';
+import { type PackedImage, unpackedImages } from '../truth/images/packed-image.ts';
 import { FloorTracer } from './floor-tracer.ts';
 
 /** One picture to draw. */
@@ -23,6 +24,9 @@ export interface Subject {
   readonly scene: string;
   readonly integrator: 'path' | 'direct';
   readonly bounces: number;
+  readonly clamp?: number;
+  /** What the scene asks for. */
+  readonly images?: readonly PackedImage[];
   /** In pixels; the picture is square. */
   readonly size: number;
   /** Source of the shader to draw it with, instead of the generated one. */
@@ -32,6 +36,9 @@ export interface Subject {
 interface Drawable {
   draw(frame: CameraFrame, sample: SampleNumber): void;
 }
+
+const resolvedOf = (scene: Scene, { images }: Subject): ResolvedScene =>
+  resolveScene(scene, 1, undefined, unpackedImages(images));
 
 /** A subject on the GPU. */
 class Picture {
@@ -43,7 +50,7 @@ class Picture {
 
   constructor({ gl, precision, programs, shaderOptions }: RenderDevice, scene: Scene, subject: Subject) {
     this.#gl = gl;
-    this.#scene = resolveScene(scene);
+    this.#scene = resolvedOf(scene, subject);
     if (subject.floor) {
       this.#drawable = new FloorTracer(gl, subject.floor);
     } else {
@@ -93,7 +100,7 @@ export function prepare(subjects: readonly Subject[]): { readonly shaderChars: n
   device ??= new RenderDevice();
   pictures = subjects.map((subject) => new Picture(device, parseScene(subject.scene), subject));
   const [first] = subjects as [Subject];
-  const required = requirements(resolveScene(parseScene(first.scene)), first);
+  const required = requirements(resolvedOf(parseScene(first.scene), first), first);
   // The assembler has left out the comments.
   return { shaderChars: generateShader(required, device.shaderOptions).fragment.replace(/\s+/g, '').length };
 }

@@ -1,18 +1,14 @@
 /** What `npm run truth` does in a page for pictures: the renderer that draws for the element, sample by sample. */
 import '@ray-scene/core/parts';
-import { type EnvironmentImage, parseScene, parseSettings } from '@ray-scene/core';
+import { parseScene, parseSettings } from '@ray-scene/core';
 import { Renderer } from '../../../packages/ray-scene/src/renderer.ts';
-
-export interface PackedImage extends Omit<EnvironmentImage, 'data'> {
-  readonly src: string;
-  readonly data: string;
-}
+import { type PackedImage, unpackedImages } from './packed-image.ts';
 
 /** What the GPU draws until the next one. */
 export interface GpuPicture {
   /** JSON text of the scene. */
   readonly scene: string;
-  /** By address; the numbers as base64 of their bytes. */
+  /** What the scene asks for. */
   readonly images?: readonly PackedImage[];
   readonly bounces: number;
   readonly width: number;
@@ -40,8 +36,7 @@ export function showPicture(picture: GpuPicture): void {
   const { promise, resolve } = withTimeout();
   loaded = promise;
   renderer.onrestored = resolve;
-  const images = picture.images?.map(({ src, data, ...size }) => [src, { ...size, data: unpacked(data) }] as const);
-  renderer.setScene(parseScene(picture.scene), new Map(images));
+  renderer.setScene(parseScene(picture.scene), unpackedImages(picture.images));
   renderer.resize(picture.width, picture.height);
 }
 
@@ -53,9 +48,6 @@ function withTimeout(): { readonly promise: Promise<void>; readonly resolve: () 
   });
   return { promise, resolve };
 }
-
-const unpacked = (text: string): Float32Array =>
-  new Float32Array(Uint8Array.from(atob(text), (character) => character.charCodeAt(0)).buffer);
 
 /** Begins a picture with other random numbers. */
 export function beginSamples(settings: { readonly seed: number; readonly samples: number }): void {

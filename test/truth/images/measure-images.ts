@@ -8,6 +8,7 @@ import { differencePicture } from './difference-picture.ts';
 import { type Estimate, type EstimateOptions, estimate, inTurns, type RenderBatch } from './estimate.ts';
 import { type ImageTruth, readImageTruth } from './image-truth.ts';
 import { errorRatio, type ImageRow, type ImageSide, imageRow, moreSamples, skippedRow } from './judge-image.ts';
+import { packedImages } from './packed-image.ts';
 import { ReferencePool } from './reference-pool.ts';
 import { environmentImages } from './translate-environment.ts';
 import { type TranslatedScene, translateScene } from './translate-scene.ts';
@@ -118,10 +119,7 @@ async function onGpu(
   { width, height }: ImageTruth,
   images: EnvironmentImages,
 ): Promise<RenderBatch> {
-  const packed = [...images].map(([src, { data, ...size }]) => {
-    return { src, ...size, data: Buffer.from(data.buffer).toString('base64') };
-  });
-  await gpu.show({ scene: JSON.stringify(scene), images: packed, bounces, width, height });
+  await gpu.show({ scene: JSON.stringify(scene), images: packedImages(images), bounces, width, height });
   return inTurns((seed, samples) => gpu.samples(seed, samples));
 }
 
