@@ -19,25 +19,29 @@ const refused: readonly [object, RegExp][] = [
   [{ type: 'torus', radius: 1, tube: 1 }, /tube must be below the radius/],
   [{ type: 'torus', tube: 0 }, /tube must be a number above 0/],
   [{ type: 'triangle', a: [0, 0, 0], b: [1, 2, 3], c: [2, 4, 6] }, /there is no area/],
+  [{ type: 'sphere', radius: 1e-59 }, /none may be 1e13 times another/],
+  [{ type: 'box', size: [1, 1e-59, 1] }, /none may be 1e13 times another/],
+  [{ type: 'cylinder', base: [0, 0, 0], top: [0, 1e-30, 0] }, /none may be 1e13 times another/],
+  [{ type: 'quad', edgeU: [1e20, 0, 0], edgeV: [0, 1e-20, 0] }, /none may be 1e13 times another/],
   [{ type: 'triangle', a: [1, 1, 1], b: [1, 1, 1], c: [2, 4, 6] }, /there is no area/],
 ];
 
 /** Just within what is accepted. */
 const nearly: { readonly [what: string]: object } = {
-  'a sphere of hardly any radius': { type: 'sphere', radius: 1e-59 },
-  'a huge sphere': { type: 'sphere', center: [0, -1e9, 0], radius: 1e9 },
-  'a thin box': { type: 'box', size: [1, 1e-59, 1] },
-  'a box that is a line': { type: 'box', size: [1e-40, 1, 1e-40] },
-  'a flat cylinder': { type: 'cylinder', base: [0, 0, 0], top: [0, 1e-30, 0] },
-  'a cylinder that is a line': { type: 'cylinder', radius: 1e-30 },
+  'a sphere of hardly any radius': { type: 'sphere', radius: 1e-12 },
+  'a huge sphere': { type: 'sphere', center: [0, -4e12, 0], radius: 4e12 },
+  'a thin box': { type: 'box', size: [1, 1e-12, 1] },
+  'a box that is a line': { type: 'box', size: [1e-12, 1, 1e-12] },
+  'a flat cylinder': { type: 'cylinder', base: [0, 0, 0], top: [0, 1e-12, 0] },
+  'a cylinder that is a line': { type: 'cylinder', radius: 1e-12 },
   'a flat cone': { type: 'cone', base: [0, 0, 0], tip: [0, 1e-12, 0] },
   'a cone that is a line': { type: 'cone', radius: 1e-12 },
-  'a ring that is a line': { type: 'torus', tube: 1e-15 },
+  'a ring that is a line': { type: 'torus', tube: 1e-12 },
   'a ring that nearly closes': { type: 'torus', radius: 1, tube: 1 - 1e-15 },
   'a sliver': { type: 'triangle', a: [0, 0, 0], b: [1, 0, 0], c: [2, 1e-12, 0] },
   'a quad of nearly parallel edges': { type: 'quad', edgeU: [1, 0, 0], edgeV: [1, 1e-12, 0] },
-  'a quad of very different edges': { type: 'quad', edgeU: [1e20, 0, 0], edgeV: [0, 1e-20, 0] },
-  'a disc that is a point': { type: 'disc', radius: 1e-40 },
+  'a quad of very different edges': { type: 'quad', edgeU: [2e6, 0, 0], edgeV: [0, 1e-6, 0] },
+  'a disc that is a point': { type: 'disc', radius: 1e-12 },
 };
 
 describe('degenerate primitives', function () {
@@ -45,7 +49,8 @@ describe('degenerate primitives', function () {
 
   for (const [shape, message] of refused) {
     it(`are refused: ${JSON.stringify(shape)}`, () => {
-      expect(() => parseScene({ objects: [shape] })).to.throw(message);
+      const scene = { camera: { position: [0.3, 0.5, 3] }, objects: [shape] };
+      expect(() => parseScene(scene)).to.throw(message);
     });
   }
 

@@ -50,6 +50,15 @@ export const extremes: { readonly [name: string]: Json } = {
     lights: [sun],
     objects: [planet, sphere([0, 0.5, 0], 0.5, { color: 'crimson', roughness: 0.2 })],
   },
+  'a ball and its shadow on a planet 8e12 times as large': {
+    camera: { position: [0, 1.7, 4], target: [0, 0.8, 0] },
+    environment: sky,
+    lights: [sun],
+    objects: [
+      sphere([0, -4e12, 0], 4e12, { roughness: 1, specular: 0 }),
+      sphere([0, 0.5, 0], 0.5, { color: 'crimson' }),
+    ],
+  },
   'things of every kind on a planet': {
     ...still,
     lights: [sun],

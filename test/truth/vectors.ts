@@ -19,12 +19,11 @@ export type Ask = (problems: readonly Problem[]) => Promise<readonly (readonly A
 export const judgeReference = (cases: readonly VectorCase[]): readonly Judged[] =>
   cases.map((one) => ({ one, verdict: judge(referenceAnswer(cameraProblem(one)), expected(one, 'reference')) }));
 
-export function judgeTextbook(cases: readonly VectorCase[]): readonly Judged[] {
-  return cases.flatMap((one) => {
-    const t = textbookDistance(one);
-    return t === undefined ? [] : [{ one, verdict: judge({ t, normal: [0, 0, 0] }, expected(one, 'gpu-camera')) }];
+export const judgeTextbook = (cases: readonly VectorCase[]): readonly Judged[] =>
+  cases.map((one) => {
+    const answer = { t: textbookDistance(one), normal: [0, 0, 0] } as const;
+    return { one, verdict: judge(answer, expected(one, 'gpu-camera')) };
   });
-}
 
 export async function judgeCamera(cases: readonly VectorCase[], ask: Ask): Promise<readonly Judged[]> {
   const answers = await ask(cases.map(cameraProblem));

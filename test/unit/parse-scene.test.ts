@@ -151,3 +151,48 @@ test('a parsed scene is frozen to its leaves', () => {
   assert.ok(Object.isFrozen(scene.objects[0]?.type === 'sphere' && scene.objects[0].center));
   assert.ok(Object.isFrozen((scene.extras as { a: number[] }).a));
 });
+
+test('lengths of a scene may be 1e13 times others, and no more', () => {
+  const beside = (other: object, rest: object = {}): string[] =>
+    told({ objects: [{ type: 'sphere' }, other], ...rest });
+  assert.deepEqual(beside({ type: 'sphere', center: [0, -9e12, 0], radius: 9e12 }), []);
+  assert.deepEqual(beside({ type: 'sphere', center: [0, -2e13, 0], radius: 2e13 }), [
+    'objects[0]: has a length of 1, and objects[1] one of 20000000000000: in one scene, none may be 1e13 times another',
+  ]);
+  assert.deepEqual(beside({ type: 'torus', center: [0, 0, 30], tube: 1e-12 }), [
+    'objects[1]: has a length of 1e-12, and objects[1] one of 30: in one scene, none may be 1e13 times another',
+  ]);
+  assert.deepEqual(beside({ type: 'sphere', radius: 1e-9 }, { camera: { position: [0, 3e4, 4e4] } }), [
+    'objects[1]: has a length of 1e-9, and camera one of 50000: in one scene, none may be 1e13 times another',
+  ]);
+  assert.deepEqual(beside({ type: 'plane' }, { lights: [{ position: [0, 1e14, 0] }] }), [
+    'objects[0]: has a length of 1, and lights[0] one of 100000000000000: in one scene, none may be 1e13 times another',
+  ]);
+});
+
+test('what groups do to lengths counts, and coordinates next to 0 do not', () => {
+  const ball = { type: 'sphere', radius: 0.5, center: [6e-17, 1, 0] };
+  const group = (scale: unknown, ...objects: object[]): object => ({ type: 'group', scale, objects });
+  assert.deepEqual(told({ objects: [group(1e-9, ball), { type: 'plane', point: [0, -1e3, 0] }] }), []);
+  assert.deepEqual(
+    told({ objects: [group([1e-6, 1, 1], group(1e-6, ball)), { type: 'plane', point: [0, -1e3, 0] }] }),
+    [
+      'objects[0].objects[0].objects[0]: has a length of 5e-13, and objects[1] one of 1000: in one scene, none may be 1e13 ' +
+        'times another',
+    ],
+  );
+});
+
+test('whether lengths fit together does not depend on the unit', () => {
+  fc.assert(
+    fc.property(fc.double({ min: 1e11, max: 1e15 }), fc.integer({ min: -40, max: 40 }), (ratio, exponent) => {
+      const unit = 10 ** exponent;
+      const objects = [
+        { type: 'sphere', radius: unit },
+        { type: 'box', size: [unit, ratio * unit, 2 * unit] },
+      ];
+      fc.pre(Math.abs(ratio / 1e13 - 1) > 1e-9);
+      assert.equal(told({ objects }).length, ratio > 1e13 ? 1 : 0);
+    }),
+  );
+});

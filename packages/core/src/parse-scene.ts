@@ -1,9 +1,9 @@
 /** Scenes from strangers: JSON text, plain objects or what markup was read into, all through one validator. */
 import { builtInMaterials } from './built-in-materials.ts';
 import { contradiction } from './contradictions.ts';
-import { color, type Fields, LARGEST_FACTOR, Mismatch } from './fields.ts';
+import { color, type Fields, Mismatch } from './fields.ts';
 import { primitives } from './primitives/index.ts';
-import { say } from './say.ts';
+import { lengthProblems, say } from './say.ts';
 import { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
 import {
   type Background,
@@ -29,6 +29,12 @@ const jsonWords: SourceWords = { locate: jsonPath, field: 'key', spell: (field) 
 
 /** How much a scene may hold, in groups too, which count as objects; and how deep groups may stand in each other. */
 export const limits = { objects: 1024, lights: 64, materials: 1024, depth: 16 } as const;
+
+/**
+ * Numbers from a million on or below 0.00001, or groups that scale. Without any, no length can be too many times another; with
+ * them, what is loaded to tell is worth its while.
+ */
+const UNUSUAL = /(?<!\.\d*)\d{7}|\b0\.0{5}|\de|le":.(?!1,1,1])/;
 
 const backgroundColor = color('What a camera ray shows that meets no object.');
 
@@ -97,6 +103,9 @@ class SceneParser {
     this.#limit(['lights'], this.#counts.lights, 'lights');
     this.#limit(['objects'], this.#counts.objects, 'objects');
     this.#tree([], scene.objects, [...Object.keys(scene.materials), ...Object.keys(builtInMaterials)]);
+    if (scene.objects[0] && UNUSUAL.test(JSON.stringify([scene.camera, scene.lights, scene.objects]))) {
+      this.problems.push(...lengthProblems(scene, this.#words.locate, this.problems));
+    }
     return scene;
   }
 
@@ -177,20 +186,12 @@ class SceneParser {
     );
   }
 
-  /** What only a node's place tells: whether there is its material, and how groups within groups scale. */
-  #tree(above: Path, nodes: Scene['objects'], materials: readonly string[], factors: readonly number[] = [1, 1]): void {
+  /** What only a node's place tells: whether there is its material. */
+  #tree(above: Path, nodes: Scene['objects'], materials: readonly string[]): void {
     nodes.forEach((node, i) => {
       const path = [...above, 'objects', i];
-      if (node?.type === 'group') {
-        const own = node.scale?.map(Math.abs) ?? [1];
-        const [least, most] = [Math.min, Math.max].map((of, end) => (factors[end] as number) * of(...own)) as [
-          number,
-          number,
-        ];
-        if (Math.max(most, 1 / least, most / least) > LARGEST_FACTOR) {
-          this.#report(path, say('scales'));
-        } else this.#tree(path, node.objects, materials, [least, most]);
-      } else if (node?.material !== undefined && !materials.includes(node.material)) {
+      if (node?.type === 'group') this.#tree(path, node.objects, materials);
+      else if (node?.material !== undefined && !materials.includes(node.material)) {
         const known = [...new Set(materials)];
         this.#report([...path, 'material'], say('unknownMaterial', node.material, known), path);
       }

@@ -18,6 +18,8 @@ function suggestion(typed: unknown, words: Iterable<string>): string {
   return near ? ` (did you mean "${near}"?)` : '';
 }
 
+const round = (length: number): string => String(Number(length.toPrecision(3)));
+
 const article = (label: string): string => `${/^[aeiou]/.test(label) ? 'an' : 'a'} ${label}`;
 
 const capitalized = (text: string): string => text[0]?.toUpperCase() + text.slice(1);
@@ -65,6 +67,8 @@ export const problemTexts = {
   tooMany: (limit: number, what: string, count: number) => `a scene may hold ${limit} ${what}, this one has ${count}`,
   tooDeep: (limit: number) => `groups may stand in each other ${limit} deep`,
   scales: () => 'scale, with that of the groups around it, must stay from 1e-12 to 1e12, and none 1e12 times another',
+  farApart: (least: number, most: number, where: string) =>
+    `has a length of ${round(least)}, and ${where} one of ${round(most)}: in one scene, none may be 1e13 times another`,
   // What does not fit together in a node:
   parallelTangent: () => 'tangent must not be parallel to the normal',
   noHeight: () => 'top must not be the base: the cylinder would have no height',

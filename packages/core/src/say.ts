@@ -1,10 +1,12 @@
 /** The sentences of `problem-texts.ts` for those who find something wrong. */
 import type { ProblemTexts } from './problem-texts.ts';
+import type { lengthProblems as problems } from './scene-lengths.ts';
 
 /** What there is to say. */
 interface Speech {
   readonly texts: ProblemTexts;
   readonly nearestWord: (typed: string, words: Iterable<string>) => string | undefined;
+  readonly lengthProblems: typeof problems;
 }
 
 let speech: Speech | undefined;
@@ -23,3 +25,7 @@ export function say<K extends keyof ProblemTexts>(problem: K, ...about: Paramete
 /** Whether someone may have meant one of the words, and which one; as long as nobody can tell, the first. */
 export const meantWord = (typed: string, words: readonly string[]): string | undefined =>
   speech ? speech.nearestWord(typed, words) : words[0];
+
+/** What is wrong with how lengths go together; as long as nobody can tell, the scene as a whole. */
+export const lengthProblems: typeof problems = (...about) =>
+  speech ? speech.lengthProblems(...about) : [{ path: [], where: '', message: 'farApart' }];

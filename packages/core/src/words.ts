@@ -6,5 +6,6 @@ import './css-colors.ts';
 import { nearestWord } from './nearest-word.ts';
 import { problemTexts } from './problem-texts.ts';
 import { registerSpeech } from './say.ts';
+import { lengthProblems } from './scene-lengths.ts';
 
-registerSpeech({ texts: problemTexts, nearestWord });
+registerSpeech({ texts: problemTexts, nearestWord, lengthProblems });

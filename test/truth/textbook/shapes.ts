@@ -1,14 +1,12 @@
 /** Ray against shape as textbooks have it, in f32: what the numbers of this project stand beside. */
 import type { Vec3 } from '@ray-scene/core';
-import type { Shape, VectorCase, VectorKind } from '../vector-cases.ts';
-import { cross, dot, subtract } from './f32.ts';
+import type { VectorCase, VectorKind } from '../vector-cases.ts';
+import { addScaled, cross, dot, product, scale, subtract } from './f32.ts';
+import { type Intersect, MISS, nearest } from './intersect.ts';
+import { cone, cylinder } from './round.ts';
+import { torus } from './torus.ts';
 
 const f = Math.fround;
-const MISS = Number.POSITIVE_INFINITY;
-
-type Intersect = (p: Shape, o: Vec3, d: Vec3, tmin: number) => number;
-
-const nearer = (near: number, far: number, tmin: number): number => (near > tmin ? near : far > tmin ? far : MISS);
 
 /** The quadratic formula. */
 const sphere: Intersect = ({ center, radius }, o, d, tmin) => {
@@ -19,12 +17,30 @@ const sphere: Intersect = ({ center, radius }, o, d, tmin) => {
   const discriminant = f(f(b * b) - f(f(4 * a) * c));
   if (discriminant < 0) return MISS;
   const root = f(Math.sqrt(discriminant));
-  return nearer(f(f(-b - root) / f(2 * a)), f(f(-b + root) / f(2 * a)), tmin);
+  return nearest([f(f(-b - root) / f(2 * a)), f(f(-b + root) / f(2 * a))], tmin);
 };
 
 const plane: Intersect = ({ point, normal }, o, d, tmin) => {
   const t = f(dot(subtract(point as Vec3, o), normal as Vec3) / dot(d, normal as Vec3));
-  return t > tmin && Number.isFinite(t) ? t : MISS;
+  return nearest([t], tmin);
+};
+
+/** The plane, and the distance from the centre there. */
+const disc: Intersect = (p, o, d, tmin) => {
+  const t = plane({ point: p.center as Vec3, normal: p.normal as Vec3 }, o, d, tmin);
+  const aside = subtract(addScaled(o, d, t), p.center as Vec3);
+  return dot(aside, aside) <= product(p.radius as number, p.radius as number) ? t : MISS;
+};
+
+/** The plane, and coordinates in it: P. Shirley, T. D. Black, S. Hollasch, "Ray Tracing: The Next Week", section 6. */
+const quad: Intersect = ({ corner, edgeU, edgeV }, o, d, tmin) => {
+  const [q, u, v] = [corner, edgeU, edgeV] as [Vec3, Vec3, Vec3];
+  const normal = cross(u, v);
+  const w = scale(normal, f(1 / dot(normal, normal)));
+  const t = f(f(dot(normal, q) - dot(normal, o)) / dot(normal, d));
+  const inPlane = subtract(addScaled(o, d, t), q);
+  const [alpha, beta] = [dot(w, cross(inPlane, v)), dot(w, cross(u, inPlane))];
+  return alpha >= 0 && alpha <= 1 && beta >= 0 && beta <= 1 ? nearest([t], tmin) : MISS;
 };
 
 /** T. Möller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997. */
@@ -37,7 +53,7 @@ const triangle: Intersect = ({ a, b, c }, o, d, tmin) => {
   const q = cross(s, edge1);
   const v = f(dot(d, q) / determinant);
   const t = f(dot(edge2, q) / determinant);
-  return u >= 0 && v >= 0 && f(u + v) <= 1 && t > tmin && Number.isFinite(t) ? t : MISS;
+  return u >= 0 && v >= 0 && f(u + v) <= 1 ? nearest([t], tmin) : MISS;
 };
 
 /** Slabs, with the reciprocal of the direction. */
@@ -49,11 +65,20 @@ const box: Intersect = ({ min, max }, o, d, tmin) => {
     near = Math.max(near, Math.min(...t));
     far = Math.min(far, Math.max(...t));
   }
-  return near <= far ? nearer(near, far, tmin) : MISS;
+  return near <= far ? nearest([near, far], tmin) : MISS;
 };
 
-const textbook: { readonly [K in VectorKind]?: Intersect } = { sphere, plane, triangle, box };
+const textbook: { readonly [K in VectorKind]: Intersect } = {
+  sphere,
+  plane,
+  disc,
+  quad,
+  box,
+  cylinder,
+  cone,
+  torus,
+  triangle,
+};
 
-/** The distance that the textbook finds in a case; undefined: it is not here. */
-export const textbookDistance = ({ prim, p, o, d, tmin }: VectorCase): number | undefined =>
-  textbook[prim]?.(p, o, d, tmin);
+/** The distance that the textbook finds in a case. */
+export const textbookDistance = ({ prim, p, o, d, tmin }: VectorCase): number => textbook[prim](p, o, d, tmin);
