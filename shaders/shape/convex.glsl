@@ -1,12 +1,11 @@
 // What convex solids share: a line is inside of one from t.x to t.y, or never where t.x > t.y.
 
 // The nearest way in or out that is ahead, or MISS. Of a ray that leaves the solid's own surface (own = 1), the crossing
-// nearer to 0 is the one where it starts: whatever was rounded, it is left out.
+// nearer to 0 is the one where it starts: whatever was rounded, it is left out. What is not below MISS is a miss.
 float convexDistance(vec2 t, float own) {
-  float ahead = t.x > 0.0 ? t.x : t.y;
-  float other = t.x + t.y > 0.0 ? t.y : -1.0;
-  float nearest = own > 0.5 ? other : ahead;
-  return mix(MISS, nearest, t.x <= t.y && nearest > 0.0 && nearest < MISS);
+  float nearest = mix(t.y, t.x, min(t.x, 0.5 - own) > 0.0);
+  float least = mix(0.0, -t.x, own > 0.5);
+  return mix(MISS, nearest, t.x <= t.y && nearest > least);
 }
 
 // The part of the line for which t rate <= height.

@@ -2,8 +2,9 @@
 // Source: S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: the corners are
 // sheared so that the ray runs along z, and three edge functions in the plane decide. Both triangles compute the same
 // products for a shared edge, in f32; the sign decides, whatever was rounded. The distance is that of the plane, packed
-// from f64: where lengths differ widely with n·d as `splitDot`. It takes about 1.3 times as long as the common formula, which
-// loses rays between triangles.
+// from f64: where lengths differ widely with n·d as `splitDot`. It takes no longer than the common formula, which loses rays
+// between triangles: there are no branches. (Branches for the order of the axes made SwiftShader compile for minutes.) To work
+// the `TriangleRay` out once for all triangles brought nothing when it was measured.
 #include "split-dot.glsl"
 
 // What all rays from a point share: the ways to the corners, and to the plane along the normal.
@@ -39,30 +40,39 @@ TriangleFrom triangleFromCamera(Triangle s) {
   return TriangleFrom(s.a, s.b, s.c, s.height);
 }
 
-// The axes in turn, so that the one along which d is longest comes last.
-vec3 longestLast(vec3 v, vec3 size) {
-  bool x = size.x > max(size.y, size.z);
-  return x ? v.yzx : (size.y > size.z ? v.zxy : v);
+// What all triangles ask of a ray: its direction, and two vectors across it, of which one component is 1 and another 0. The
+// products of a corner with these are its place in the plane along the two axes in which the ray is less long, sheared.
+struct TriangleRay {
+  vec3 d;
+  vec3 first;
+  vec3 second;
+};
+
+TriangleRay triangleRay(vec3 d) {
+  vec3 size = abs(d);
+  float x = float(size.x > max(size.y, size.z));
+  float y = (1.0 - x) * float(size.y > size.z);
+  vec3 longest = vec3(x, y, 1.0 - x - y);
+  vec2 shear = vec2(dotInOrder(longest.zxy, d), dotInOrder(longest.yzx, d)) / dotInOrder(longest, d);
+  return TriangleRay(d, longest.zxy - shear.x * longest, longest.yzx - shear.y * longest);
+}
+
+vec2 triangleSheared(TriangleRay ray, vec3 corner) {
+  return vec2(dotInOrder(ray.first, corner), dotInOrder(ray.second, corner));
 }
 
 // A ray within the plane misses it. One that leaves the triangle (own = 1) never meets it again.
 float triangleDistance(Triangle s, TriangleFrom from, vec3 d, float own) {
-  vec3 size = abs(d);
-  vec3 e = longestLast(d, size);
-  vec2 shear = e.xy / e.z;
-  vec3 a = longestLast(from.a, size);
-  vec3 b = longestLast(from.b, size);
-  vec3 c = longestLast(from.c, size);
-  vec2 p = a.xy - shear * a.z;
-  vec2 q = b.xy - shear * b.z;
-  vec2 r = c.xy - shear * c.z;
+  TriangleRay ray = triangleRay(d);
+  vec2 p = triangleSheared(ray, from.a);
+  vec2 q = triangleSheared(ray, from.b);
+  vec2 r = triangleSheared(ray, from.c);
   float u = r.x * q.y - r.y * q.x;
   float v = p.x * r.y - p.y * r.x;
   float w = q.x * p.y - q.y * p.x;
-  bool inside = min(min(u, v), w) >= 0.0 || max(max(u, v), w) <= 0.0;
-  float t = from.height / triangleAlongNormal(s, d);
-  bool meets = inside && t > 0.0 && own < 0.5;
-  return mix(MISS, t, meets && t < MISS);
+  float inside = max(min(min(u, v), w), -max(max(u, v), w));
+  float t = from.height / triangleAlongNormal(s, ray.d);
+  return mix(MISS, t, inside >= 0.0 && min(t, 0.5 - own) > 0.0);
 }
 
 #ifdef SHADOWS

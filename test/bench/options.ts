@@ -2,7 +2,7 @@
 import { parseArgs } from 'node:util';
 import { ENGINES } from '../browsers.mjs';
 
-/** What is measured; without a wish both of the first two are. */
+/** What is measured; without a wish the first three are. */
 export const PARTS = ['scenes', 'trade', 'primitives', 'convergence', 'adaptive', 'frames', 'features'] as const;
 export type Part = (typeof PARTS)[number];
 
@@ -28,7 +28,7 @@ Measures how long scenes take, and what each setting costs and buys.
   --presets           tells which settings quality should stand for; fails if settings.ts says otherwise
   --help              this text
 
-Without --only: scenes and trade.`;
+Without --only: scenes, trade and primitives; with --scene the first two.`;
 
 export interface BenchOptions {
   readonly quick: boolean;
@@ -82,7 +82,7 @@ export function readOptions(args: readonly string[]): BenchOptions {
     throw new Error('--report and --presets need the trade of all scenes and settings');
   return {
     quick,
-    parts: only === undefined ? ['scenes', 'trade'] : [only as Part],
+    parts: only === undefined ? PARTS.slice(0, scene === undefined ? 3 : 2) : [only as Part],
     scene,
     engine,
     maxError: Number(values['max-error']),

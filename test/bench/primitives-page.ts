@@ -104,7 +104,8 @@ export function prepare(subject: Subject): { readonly medianDifference: number }
     picture.draw(1);
     return picture.read();
   }) as [Float32Array, Float32Array];
-  const lit = [...a.keys()].filter((i) => (a[i] as number) > 0);
+  // Not the coverage, every fourth number: it is 1 everywhere.
+  const lit = [...a.keys()].filter((i) => i % 4 < 3 && (a[i] as number) > 0);
   const differences = lit.map((i) => Math.abs((a[i] as number) - (b[i] as number)) / (a[i] as number));
   return { medianDifference: differences.sort((x, y) => x - y)[lit.length >> 1] ?? Number.POSITIVE_INFINITY };
 }

@@ -17,7 +17,7 @@ export interface PrimitiveCost {
   readonly textbookMsPerSample: number;
   /** The median of the turns' ratios. */
   readonly ratio: number;
-  /** How far the pictures are apart, relative: the median of all values. */
+  /** How far the pictures are apart, relative: the median of all colours that are not black. */
   readonly difference: number;
 }
 

@@ -11,9 +11,9 @@ export const ALWAYS: Interval = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFIN
  * is the one where it starts: whatever was rounded, it is left out.
  */
 export function convexDistance([first, second]: Interval, own: boolean): number {
-  if (!(first <= second)) return MISS;
-  const nearest = own ? (first + second > 0 ? second : MISS) : first > 0 ? first : second;
-  return nearest > 0 ? nearest : MISS;
+  const nearest = first > 0 && !own ? first : second;
+  const least = own ? -first : 0;
+  return first <= second && nearest > least ? nearest : MISS;
 }
 
 /** The part of the line for which t rate <= height. */

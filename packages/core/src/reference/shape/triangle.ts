@@ -6,22 +6,30 @@ import { MISS, type Ray } from '../ray.ts';
 
 export { triangleNormal };
 
-/** The axes in turn, so that the one along which the direction is longest comes last. */
-function longestLast([x, y, z]: Vec3, axis: number): Vec3 {
-  if (axis === 0) return [y, z, x];
-  return axis === 1 ? [z, x, y] : [x, y, z];
+/** Two vectors across a ray. The products of a corner with them are its place in the plane that the ray is longest across, sheared. */
+interface TriangleRay {
+  readonly first: Vec3;
+  readonly second: Vec3;
 }
+
+function triangleRay([dx, dy, dz]: Vec3): TriangleRay {
+  const [x, y, z] = [Math.abs(dx), Math.abs(dy), Math.abs(dz)];
+  if (x > Math.max(y, z)) return { first: [-dy / dx, 1, 0], second: [-dz / dx, 0, 1] };
+  if (y > z) return { first: [0, -dz / dy, 1], second: [1, -dx / dy, 0] };
+  return { first: [1, 0, -dx / dz], second: [0, 1, -dy / dz] };
+}
+
+const triangleSheared = ({ first, second }: TriangleRay, corner: Vec3): readonly [number, number] => [
+  dot(first, corner),
+  dot(second, corner),
+];
 
 /** Distance t > 0 along the ray to the triangle, or MISS. A ray that leaves the triangle never meets it again. */
 export function triangleDistance(shape: Shape<'triangle'>, { origin, direction }: Ray, own: boolean): number {
-  const [x, y, z] = direction.map(Math.abs) as [number, number, number];
-  const axis = x > Math.max(y, z) ? 0 : y > z ? 1 : 2;
-  const d = longestLast(direction, axis);
-  const sheared = (corner: Vec3): readonly [number, number] => {
-    const c = longestLast(subtract(corner, origin), axis);
-    return [c[0] - (d[0] / d[2]) * c[2], c[1] - (d[1] / d[2]) * c[2]];
-  };
-  const [p, q, r] = [sheared(shape.a), sheared(shape.b), sheared(shape.c)];
+  const ray = triangleRay(direction);
+  const p = triangleSheared(ray, subtract(shape.a, origin));
+  const q = triangleSheared(ray, subtract(shape.b, origin));
+  const r = triangleSheared(ray, subtract(shape.c, origin));
   const u = r[0] * q[1] - r[1] * q[0];
   const v = p[0] * r[1] - p[1] * r[0];
   const w = q[0] * p[1] - q[1] * p[0];
