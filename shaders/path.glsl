@@ -17,6 +17,9 @@
 #include "media.glsl"
 #endif
 #include "vertex.glsl"
+#ifdef GLINT
+#include "glint.glsl"
+#endif
 #ifdef SHADOWS
 #include "light/emitters.glsl"
 
@@ -35,14 +38,22 @@ float powerHeuristic(float a, float b) {
 #endif
 
 // The light of an emitter by way of a surface, where the ray that is to be shaded goes off at `from`.
+#ifdef GLINT
+vec3 lightBy(EmitterSample light, Parts scene, From from, mat3 frame, Bsdf bsdf, vec3 wo, Glints glints) {
+#else
 vec3 lightBy(EmitterSample light, Parts scene, From from, mat3 frame, Bsdf bsdf, vec3 wo) {
+#endif
   float pdf;
-  vec3 value = bsdfValue(bsdf, wo, toLocal(frame, light.direction), pdf);
+  vec3 wi = toLocal(frame, light.direction);
+  vec3 value = bsdfValue(bsdf, wo, wi, pdf);
   if (!(light.pdf > 0.0 && max(max(value.r, value.g), value.b) > 0.0)) return vec3(0.0);
   if (occlusion(scene, from, light.direction, light.distance, light.object) > 0.0) return vec3(0.0);
 #if defined(WHITTED) || !defined(AREA_EMITTER)
   return value * light.radiance / light.pdf;
 #else
+#ifdef GLINT
+  if (!light.delta) pdf = pdfWithGlints(glints, wi, pdf, -1, 0.0);
+#endif
   return value * light.radiance * ((light.delta ? 1.0 : powerHeuristic(light.pdf, pdf)) / light.pdf);
 #endif
 }
@@ -193,6 +204,9 @@ vec4 path() {
     BsdfSample onward = mirrorSample(bsdf, wo, sample2d(random, 4u + sets).y);
 #else
     vec2 chance = sample2d(random, 3u + sets);
+#ifdef GLINT
+    Glints glints = glintsAt(p, hit.object, event + 1 < BOUNCES, frame, bsdf, wo);
+#endif
 #ifdef SHADOWS
     if (!isMirrorOnly(bsdf)) {
       EmitterSample light = sampleEmitter(p, chance.x, sample2d(random, 2u + sets), hit.object);
@@ -200,10 +214,18 @@ vec4 path() {
       if (dotInOrder(light.direction, n) < 0.0) light.radiance *= transmittance(beyond, light.distance);
       else light.radiance *= transmittance(media, light.distance);
 #endif
+#ifdef GLINT
+      radiance += throughput * lightBy(light, scene, from, frame, bsdf, wo, glints);
+#else
       radiance += throughput * lightBy(light, scene, from, frame, bsdf, wo);
+#endif
     }
 #endif
+#ifdef GLINT
+    BsdfSample onward = sampleWithGlints(bsdf, wo, glints, sample2d(random, 1u + sets), chance.y);
+#else
     BsdfSample onward = bsdfSample(bsdf, wo, sample2d(random, 1u + sets), chance.y);
+#endif
 #endif
     throughput *= onward.weight;
     if (isBlack(throughput)) break;

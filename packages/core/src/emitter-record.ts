@@ -3,6 +3,7 @@ import type { AliasTable } from './emitter-table.ts';
 import { type Emitter, type EmitterKind, type EmitterOf, emitterKinds, type Profile } from './emitters.ts';
 import type { Feature } from './features.ts';
 import { type Frame, toFrame } from './frame.ts';
+import { glintPlaces, glintRecord } from './glints.ts';
 import { lowWord } from './primitives/flat.ts';
 import { planeAxes } from './primitives/plane.ts';
 import { quadNormal } from './primitives/quad-shape.ts';
@@ -76,7 +77,7 @@ export function emitterFeatures(emitters: readonly Emitter[]): readonly Feature[
 const hasInside = (emitter: Emitter): emitter is EmitterOf<'sphere' | 'box' | 'cylinder'> =>
   emitter.kind === 'sphere' || emitter.kind === 'box' || emitter.kind === 'cylinder';
 
-/** What the block `Scene` holds of emitters: `emitters[capacity]`, and how many of them there are. */
+/** What the block `Scene` holds of emitters: `emitters[capacity]`, how many of them there are, and their glints. */
 export function emitterEntries(features: readonly Feature[], capacity: number): readonly BlockEntry[] {
   const present = presentEmitters(features);
   const has = (term: string): boolean => {
@@ -87,6 +88,7 @@ export function emitterEntries(features: readonly Feature[], capacity: number): 
   return [
     { name: 'emitters', struct: layoutStruct('Emitter', emitterRecord, has), count: capacity },
     { name: 'choice', struct: layoutStruct('Choice', choiceRecord, has) },
+    { name: 'glints', struct: layoutStruct('Glint', glintRecord, has), count: glintPlaces(features) },
   ];
 }
 

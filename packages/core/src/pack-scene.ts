@@ -86,11 +86,14 @@ export function packScene(scene: ResolvedScene, required: Requirements, block: B
   const wideRange = required.features.includes('wideRange');
   const numbers = objectNumbers(scene, required);
   const paths = required.features.includes('path') ? pathParts() : undefined;
-  const lit = paths?.packEmitters(scene, frame, numbers, required.emitters);
+  const lit = paths?.packEmitters(scene, frame, numbers, required);
   lit?.emitters.forEach(({ record }, i) => {
     writer.write('emitters', i, record);
   });
   if (lit) writer.write('choice', 0, lit.choice);
+  lit?.glints.forEach((record, i) => {
+    writer.write('glints', i, record);
+  });
   const shining = lit?.emitters.map(({ object }) => scene.objects[object ?? -1]?.material) ?? [];
   const material = (index: number) => {
     const one = scene.materials[index] as Material;

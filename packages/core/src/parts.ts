@@ -69,15 +69,19 @@ export interface PathParts {
   /** Numbers that the text of a shader holds. */
   limitsGlsl(required: Requirements): string;
   /**
-   * All emitters, and as many without light as are missing of `count`. `numbers` are those of the scene's objects in the
-   * shader.
+   * All emitters and glints, and as many without light as are missing of what is required. `numbers` are those of the
+   * scene's objects in the shader.
    */
   packEmitters(
     scene: ResolvedScene,
     frame: Frame,
     numbers: readonly number[],
-    count: number,
-  ): { readonly emitters: readonly PackedEmitter[]; readonly choice: RecordValues<readonly Member[]> };
+    required: Pick<Requirements, 'emitters' | 'features'>,
+  ): {
+    readonly emitters: readonly PackedEmitter[];
+    readonly choice: RecordValues<readonly Member[]>;
+    readonly glints: readonly RecordValues<readonly Member[]>[];
+  };
 }
 
 let paths: PathParts | undefined;

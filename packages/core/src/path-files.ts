@@ -1,5 +1,6 @@
 /** The shader files of the integrator `path`, by their names under `shaders/`, beyond those of `glsl-files.ts`. */
 import circle from '../../../shaders/circle.glsl';
+import glint from '../../../shaders/glint.glsl';
 import imageMap from '../../../shaders/image-map.glsl';
 import lens from '../../../shaders/lens.glsl';
 import emitterArea from '../../../shaders/light/emitter/area.glsl';
@@ -59,6 +60,7 @@ export const pathFiles: { readonly [file: string]: string } = {
   'light/emitter/sun.glsl': emitterSun,
   'light/emitter/triangle.glsl': emitterTriangle,
   'light/emitters.glsl': emitters,
+  'glint.glsl': glint,
   'image-map.glsl': imageMap,
   'light/environment-image.glsl': environmentImage,
   'material/bsdf.glsl': bsdf,

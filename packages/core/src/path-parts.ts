@@ -3,6 +3,7 @@ import { ABSENT_EMITTER, emitterEntries, packChoice, packEmitter } from './emitt
 import { emittersGlsl, limitsGlsl } from './emitter-shader.ts';
 import { emitterTable } from './emitter-table.ts';
 import { sceneEmitters } from './emitters.ts';
+import { ABSENT_GLINT, glintPlaces, packGlint, sceneGlints } from './glints.ts';
 import { type PathParts, registerPaths } from './parts.ts';
 import { pathFiles } from './path-files.ts';
 import { packPathMaterial, pathMaterialRecord } from './path-material.ts';
@@ -10,7 +11,7 @@ import { pathFeatures, pathNeeds } from './path-needs.ts';
 import { packPathEye, pathEyeRecord } from './path-view.ts';
 import { packingOrigin } from './ray-start.ts';
 
-const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) => {
+const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, { emitters: count, features }) => {
   const emitters = sceneEmitters(scene);
   const table = emitterTable(emitters);
   const records = emitters.map((emitter, i) => {
@@ -19,7 +20,9 @@ const packEmitters: PathParts['packEmitters'] = (scene, frame, numbers, count) =
     return { object, record: object === undefined ? record : { ...record, object: numbers[object] as number } };
   });
   const missing = Array.from({ length: count - records.length }, () => ({ object: undefined, record: ABSENT_EMITTER }));
-  return { emitters: [...records, ...missing], choice: packChoice(emitters) };
+  const glints = sceneGlints(scene, emitters).map((glint) => packGlint(glint, frame, numbers[glint.object] as number));
+  const places = Array.from({ length: glintPlaces(features) }, (_, i) => glints[i] ?? ABSENT_GLINT);
+  return { emitters: [...records, ...missing], choice: packChoice(emitters), glints: places };
 };
 
 registerPaths({

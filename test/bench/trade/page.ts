@@ -43,8 +43,8 @@ const pathsOf = ({ roulette, lights }: Setting): PathParts => ({
   ...WHOLE_PATHS,
   limitsGlsl: (required) =>
     WHOLE_PATHS.limitsGlsl(required).replace(/ROULETTE_FROM = \d+/, `ROULETTE_FROM = ${roulette}`),
-  packEmitters(scene, frame, numbers, count) {
-    const packed = WHOLE_PATHS.packEmitters(scene, frame, numbers, count);
+  packEmitters(scene, frame, numbers, required) {
+    const packed = WHOLE_PATHS.packEmitters(scene, frame, numbers, required);
     if (lights === 'power') return packed;
     // The places that no emitter fills come last.
     const { count: filled } = packed.choice as { readonly count: number };

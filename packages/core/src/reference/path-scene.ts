@@ -2,6 +2,7 @@
 
 import { type AliasTable, emitterTable } from '../emitter-table.ts';
 import { type Emitter, sceneEmitters } from '../emitters.ts';
+import { type Glint, sceneGlints } from '../glints.ts';
 import type { ResolvedScene } from '../resolve-scene.ts';
 import { scale, type Vec3 } from '../vector.ts';
 import type { TracedObject } from './nearest.ts';
@@ -17,6 +18,8 @@ export interface PathScene extends ResolvedScene {
   readonly table: AliasTable;
   /** By number of the object: its place among the emitters, if it is one. */
   readonly emitterOf: readonly (number | undefined)[];
+  /** What paths look for on purpose. */
+  readonly glints: readonly Glint[];
 }
 
 export function preparePaths(
@@ -41,6 +44,7 @@ export function preparePaths(
     emitters,
     table: emitterTable(emitters),
     emitterOf,
+    glints: integrator === 'direct' ? [] : sceneGlints(scene, emitters),
   };
 }
 

@@ -4,10 +4,11 @@ import { ROULETTE_FROM } from '../path-needs.ts';
 import { type Sampler, sample2d } from '../random.ts';
 import { add, addScaled, dot, multiply, negate, scale, type Vec3 } from '../vector.ts';
 import { background, type Rgba } from './background.ts';
+import { type Glints, glintsAt, NO_GLINTS, sampleWithGlints } from './glint.ts';
 import { type EmitterSample, emitterPdf, emitterRadiance, sampleEmitter } from './light/emitters.ts';
 import { environmentRadiance } from './light/environment.ts';
 import { lightBy, powerHeuristic } from './light-by.ts';
-import { type Bsdf, type BsdfSample, bsdfSample, isMirrorOnly } from './material/bsdf.ts';
+import { type Bsdf, type BsdfSample, isMirrorOnly } from './material/bsdf.ts';
 import { enter, leave, type Media, startMedia, transmittance } from './media.ts';
 import { nearest } from './nearest.ts';
 import type { PathScene } from './path-scene.ts';
@@ -57,16 +58,18 @@ export function path(scene: PathScene, cameraRay: Ray, bounces: number, sampler:
 
     const bsdf = bsdfAt(scene, vertex, media);
     const wo = toLocal(vertex.frame, negate(ray.direction));
+    // Beyond the next surface, light must still be asked for.
+    const glints = event + 1 < bounces ? glintsAt(scene, vertex, bsdf, wo) : NO_GLINTS;
     if (scene.whitted) {
       const place = sample2d(sampler, SETS.light + SETS.perEvent * event);
       radiance = add(radiance, multiply(throughput, lightOfAll(scene, vertex, bsdf, wo, place)));
     } else if (scene.emitters.length > 0 && !isMirrorOnly(bsdf)) {
       const light = attenuated(scene, vertex, media, lightAsked(scene, vertex, sampler, event));
-      radiance = add(radiance, multiply(throughput, lightBy(scene, vertex, bsdf, wo, light)));
+      radiance = add(radiance, multiply(throughput, lightBy(scene, vertex, bsdf, wo, light, glints)));
     }
     const onward = scene.whitted
       ? mirrorSample(bsdf, wo, sample2d(sampler, SETS.roulette + SETS.perEvent * event)[1])
-      : scatter(bsdf, wo, sampler, event);
+      : scatter(bsdf, wo, glints, sampler, event);
     throughput = multiply(throughput, onward.weight);
     if (!throughput.some((channel) => channel > 0)) return total();
     if (onward.wi[2] < 0 && vertex.closed) {
@@ -108,9 +111,9 @@ function attenuated(
   return { ...light, radiance: multiply(light.radiance, transmittance(scene, beyond, light.distance)) };
 }
 
-function scatter(bsdf: Bsdf, wo: Vec3, sampler: Sampler, event: number): BsdfSample {
+function scatter(bsdf: Bsdf, wo: Vec3, glints: Glints, sampler: Sampler, event: number): BsdfSample {
   const [, lobe] = sample2d(sampler, SETS.choice + SETS.perEvent * event);
-  return bsdfSample(bsdf, wo, sample2d(sampler, SETS.direction + SETS.perEvent * event), lobe);
+  return sampleWithGlints(bsdf, wo, glints, sample2d(sampler, SETS.direction + SETS.perEvent * event), lobe);
 }
 
 /** The weight of emission that a ray met: how the same might have been found by asking for light. */
