@@ -34,8 +34,8 @@ struct Glints {
 const float MOST_PROBABLE = 0.5;
 // The radiance, over the irradiance of all lamps, at which a glint is looked for in half of the cases.
 const float EVEN_RADIANCE = 0.064;
-// The least width, 2^-18, which directions in f32 resolve.
-const float NARROWEST = 0.000003814697265625;
+// The least angle, 2^-18 exactly: directions in f32 are 16 times as dense.
+const float NARROWEST = 3.814697265625e-6;
 // Of Newton's method: most of the way is within 1e-6 of the place after 3.
 const int GLINT_STEPS = 4;
 
@@ -45,9 +45,7 @@ struct Incidence {
   vec2 distances;
   // Of the angles of incidence.
   vec2 cosines;
-  // Of the difference of the angles of incidence.
-  float sine;
-  float cosine;
+  vec2 sines;
 };
 
 // Angles are from the surface, as (cosine, sine). `inverse` has the inverse distances of the surface and the lamp from the
@@ -57,9 +55,8 @@ Incidence incidenceAt(vec2 angle, vec2 lamp, vec2 inverse) {
   vec2 c = vec2(angle.x, fromLamp.x) - inverse;
   vec2 s = vec2(angle.y, fromLamp.y);
   vec2 distances = sqrt(c * c + s * s);
-  c /= max(distances, SMALLEST);
-  s /= max(distances, SMALLEST);
-  return Incidence(distances, c, s.x * c.y - c.x * s.y, c.x * c.y + s.x * s.y);
+  distances = max(distances, SMALLEST);
+  return Incidence(distances, c / distances, s / distances);
 }
 
 vec2 angleOf(float c, float s) {
@@ -83,24 +80,29 @@ GlintLobe glintLobe(Glint glint, vec3 p, mat3 frame, bool looks, out float irrad
   float sine = sqrt(squared(turn));
   vec3 y;
   tangents(x, lobe.across, y);
-  if (sine > 0.0) lobe.across = turn / sine;
+  // Where it is hardly bent, any plane will do.
+  if (sine > NARROWEST) lobe.across = turn / sine;
   y = cross(lobe.across, x);
   vec2 lamp = vec2(dotInOrder(x, toLamp), sine);
   vec2 high = 1.0 - inverse;
   vec2 angle = angleOf(high.y + high.x * lamp.x, high.x * lamp.y);
   Incidence place = incidenceAt(angle, lamp, inverse);
   for (int i = 0; i < GLINT_STEPS; i++) {
-    vec2 slopes = place.cosines * inverse / max(place.distances, SMALLEST);
-    float along = (2.0 + (slopes.x + slopes.y)) * (1.0 + place.cosine);
-    float over = 2.0 * place.sine;
-    angle = angleOf(angle.x * along + angle.y * over, angle.y * along - angle.x * over);
+    vec2 c = place.cosines;
+    vec2 s = place.sines;
+    vec2 slopes = c * inverse / place.distances;
+    // The tangent of half of what the angles differ by, over what a step changes of that.
+    float over = 2.0 * (s.x * c.y - c.x * s.y);
+    float under = (2.0 + (slopes.x + slopes.y)) * (1.0 + (c.x * c.y + s.x * s.y));
+    angle = angleOf(angle.x * under + angle.y * over, angle.y * under - angle.x * over);
     place = incidenceAt(angle, lamp, inverse);
   }
   float cosine = place.cosines.x;
   if (!(cosine > 0.0 && place.cosines.y > 0.0)) return lobe;
   vec2 near = inverse / place.distances;
   float bend = near.x + near.y;
-  vec2 a = vec2(inverse.x * angle.x - 1.0, inverse.x * angle.y) / place.distances.x;
+  // From the surface to the place: of unit length, however near.
+  vec2 a = vec2(-cosine * angle.x - place.sines.x * angle.y, place.sines.x * angle.x - cosine * angle.y);
   vec2 turns = vec2(2.0 + cosine * bend, 2.0 * cosine + bend);
   lobe.axis = a.x * x + a.y * y;
   lobe.along = a.x * y - a.y * x;

@@ -36,6 +36,28 @@ export const featureScenes: { readonly [what: string]: FeatureScene } = {
   'a glossy ball': { scene: withBall({ specular: 1 }), holds: [...FACETS, ...ROUGH] },
   'a polished ball': { scene: withBall({ specular: 1, roughness: 0 }), holds: FACETS },
   'a weaker reflection': { scene: withBall({ specular: 0.5 }), holds: [...FACETS, ...ROUGH, 'f90'] },
+  'a narrow lobe, and a lamp without size': {
+    scene: withBall({ specular: 1, roughness: 0.2 }),
+    holds: [...FACETS, ...ROUGH, 'glintLobe'],
+  },
+  'a narrow lobe, and two lamps without size': {
+    scene: { ...withBall({ specular: 1, roughness: 0.2 }), lights: lamps },
+    holds: [...FACETS, ...ROUGH, 'glintLobe', 'GLINTS = 4', 'chosenEmitter'],
+  },
+  'a narrow lobe, and no lamp without size': {
+    scene: {
+      ...withBall({ specular: 1, roughness: 0.2 }),
+      lights: [],
+      environment: { color: 'white' },
+      background: 'black',
+    },
+    holds: [...FACETS, ...ROUGH, 'environmentRadiance'],
+  },
+  'a narrow lobe, and paths that end there': {
+    scene: withBall({ specular: 1, roughness: 0.2 }),
+    settings: { bounces: 1 },
+    holds: [...FACETS, ...ROUGH],
+  },
   'a metal': { scene: withBall({ metalness: 1 }), holds: [...FACETS, ...ROUGH] },
   'clear glass': {
     scene: withBall({ specular: 1, transmission: 1, roughness: 0 }),

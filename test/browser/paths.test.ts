@@ -74,6 +74,33 @@ describe('paths on the GPU against the reference', function () {
         ball,
       ],
     },
+    'the glint of a lamp': { camera, lights: [lamp], objects: [{ ...ball, roughness: 0.1, metalness: 1 }, floor] },
+    'glints of several lamps on several balls, beside a panel': {
+      camera,
+      lights: [
+        lamp,
+        { type: 'spot', position: [-3, 4, 2], intensity: 90, angle: 30, penumbra: 0.3 },
+        { type: 'directional', direction: [-1, -2, -1], intensity: 2 },
+      ],
+      objects: [
+        { ...ball, roughness: 0.2 },
+        { ...ball, center: [2, -0.5, -1], radius: 0.5, roughness: 0.1, metalness: 1 },
+        { ...ball, center: [-2, 0, -1], material: 'glass', roughness: 0.3 },
+        floor,
+        panel,
+      ],
+    },
+    'the glint of a ball seen on glass and metal': {
+      camera,
+      lights: [lamp],
+      objects: [
+        { ...ball, roughness: 0.05, metalness: 1 },
+        { ...ball, center: [2, 0, -1], material: 'mirror' },
+        { ...ball, center: [-2, 0, -1], material: 'glass', roughness: 0.6 },
+        { type: 'quad', corner: [-2, -1, 1], edgeU: [1, 0, 0], edgeV: [0, 2, 0], transmission: 1, roughness: 0.5 },
+        floor,
+      ],
+    },
     'nothing at all': { environment: sky, background: 'teal' },
     'a thin lens': { camera: { ...camera, aperture: 0.2 }, environment: sky, objects: [ball, floor] },
     'an orthographic view': { camera: { ...camera, type: 'orthographic' }, environment: sky, objects: [ball, floor] },
@@ -86,7 +113,8 @@ describe('paths on the GPU against the reference', function () {
   it('dims what is brighter than the clamp alike', () =>
     agree('clamp', parseScene(scenes['everything that can shine']), 'path', 0.3));
 
-  for (const name of ['ball-lens', 'cornell', 'focus', 'rough-glass', 'shadows', 'whitted']) {
+  const examples = ['ball-lens', 'classic', 'cornell', 'focus', 'metals', 'planet', 'rough-glass', 'shadows', 'whitted'];
+  for (const name of examples) {
     it(`draws the example ${name} alike`, async () =>
       agree(name, parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text()), 'path'));
   }

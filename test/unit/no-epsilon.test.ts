@@ -18,6 +18,7 @@ const reasons: readonly [file: RegExp, number: string, reason: string][] = [
   [/circle\.glsl$/, '0.0208603085029', 'coefficient of a polynomial'],
   [/circle\.glsl$/, '0.000904060569983', 'coefficient of a polynomial'],
   [/circle\.glsl$/, '0.00459959170717', 'coefficient of a polynomial'],
+  [/glint\.(glsl|ts)$/, '3.814697265625e-6', 'an angle: how dense directions are in f32'],
   [/output\.(glsl|ts)$/, '0.04045', 'sRGB'],
 ];
 

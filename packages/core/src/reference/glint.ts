@@ -39,8 +39,8 @@ const MOST_PROBABLE = 0.5;
 /** The radiance, over the irradiance of all lamps, at which a glint is looked for in half of the cases. */
 const EVEN_RADIANCE = 0.064;
 
-/** The least width, which directions in f32 resolve. */
-const NARROWEST = 2 ** -18;
+/** The least angle, 2^-18 exactly: directions in f32 are 16 times as dense. */
+const NARROWEST = 3.814697265625e-6;
 
 /** Of Newton's method. */
 const STEPS = 4;
@@ -51,9 +51,7 @@ interface Incidence {
   readonly distances: readonly [toSurface: number, toLamp: number];
   /** Of the angles of incidence. */
   readonly cosines: readonly [toSurface: number, toLamp: number];
-  /** Of the difference of the angles of incidence. */
-  readonly sine: number;
-  readonly cosine: number;
+  readonly sines: readonly [toSurface: number, toLamp: number];
 }
 
 /** g and h are the inverse distances of the surface and the lamp from the centre, in radii; the lamp is at the angle `lamp`. */
@@ -62,8 +60,7 @@ function incidenceAt([c, s]: Angle, lamp: Angle, g: number, h: number): Incidenc
   const sl = lamp[1] * c - lamp[0] * s;
   const x = Math.sqrt((c - g) ** 2 + s * s);
   const l = Math.sqrt((cl - h) ** 2 + sl * sl);
-  const [cx, sx, cL, sL] = [(c - g) / x, s / x, (cl - h) / l, sl / l];
-  return { distances: [x, l], cosines: [cx, cL], sine: sx * cL - cx * sL, cosine: cx * cL + sx * sL };
+  return { distances: [x, l], cosines: [(c - g) / x, (cl - h) / l], sines: [s / x, sl / l] };
 }
 
 type Angle = readonly [cosine: number, sine: number];
@@ -83,25 +80,29 @@ export function glintLobe(glint: Glint, p: Vec3, frame: SurfaceFrame): GlintLobe
   // The plane of the centre, the surface and the lamp.
   const x = scale(toPoint, 1 / away);
   const turn = cross(x, toLamp);
-  const sine = length(turn);
-  const across = sine > 0 ? scale(turn, 1 / sine) : tangents(x)[0];
+  const bent = length(turn);
+  // Where it is hardly bent, any plane will do.
+  const across = bent > NARROWEST ? scale(turn, 1 / bent) : tangents(x)[0];
   const y = cross(across, x);
-  const lamp: Angle = [dot(x, toLamp), sine];
+  const lamp: Angle = [dot(x, toLamp), bent];
   let angle = angleOf(1 - h + (1 - g) * lamp[0], (1 - g) * lamp[1]);
   let place = incidenceAt(angle, lamp, g, h);
   for (let i = 0; i < STEPS; i++) {
-    const { distances, cosines } = place;
-    const slope = 2 + (cosines[0] * g) / distances[0] + (cosines[1] * h) / distances[1];
-    const [along, over] = [slope * (1 + place.cosine), 2 * place.sine];
-    angle = angleOf(angle[0] * along + angle[1] * over, angle[1] * along - angle[0] * over);
+    const { distances, cosines: c, sines: s } = place;
+    // The tangent of half of what the angles differ by, over what a step changes of that.
+    const over = 2 * (s[0] * c[1] - c[0] * s[1]);
+    const under = (2 + (c[0] * g) / distances[0] + (c[1] * h) / distances[1]) * (1 + c[0] * c[1] + s[0] * s[1]);
+    angle = angleOf(angle[0] * under + angle[1] * over, angle[1] * under - angle[0] * over);
     place = incidenceAt(angle, lamp, g, h);
   }
   const [cosine, cosineL] = place.cosines;
+  const [sine] = place.sines;
   const [distance, distanceL] = place.distances;
   if (!(cosine > 0 && cosineL > 0)) return undefined;
   const near = g / distance;
   const bend = near + h / distanceL;
-  const [a, b] = [(g * angle[0] - 1) / distance, (g * angle[1]) / distance];
+  // From the surface to the place: of unit length, however near.
+  const [a, b] = [-cosine * angle[0] - sine * angle[1], sine * angle[0] - cosine * angle[1]];
   const [tangential, sagittal] = [2 + cosine * bend, 2 * cosine + bend];
   return {
     axis: add(scale(x, a), scale(y, b)),
