@@ -113,7 +113,17 @@ describe('paths on the GPU against the reference', function () {
   it('dims what is brighter than the clamp alike', () =>
     agree('clamp', parseScene(scenes['everything that can shine']), 'path', 0.3));
 
-  const examples = ['ball-lens', 'classic', 'cornell', 'focus', 'metals', 'planet', 'rough-glass', 'shadows', 'whitted'];
+  const examples = [
+    'ball-lens',
+    'classic',
+    'cornell',
+    'focus',
+    'metals',
+    'planet',
+    'rough-glass',
+    'shadows',
+    'whitted',
+  ];
   for (const name of examples) {
     it(`draws the example ${name} alike`, async () =>
       agree(name, parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text()), 'path'));
