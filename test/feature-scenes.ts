@@ -101,6 +101,17 @@ export const featureScenes: { readonly [what: string]: FeatureScene } = {
     scene: { ...withObject({ type: 'quad', specular: 0, emission: [1, 1, 1] }), lights: [] },
     holds: [...MIS, 'quadSample', 'quadDistance', 'shinesInFront', 'arcTangent'],
   },
+  'a turned box that shines': {
+    scene: {
+      ...withObject({
+        type: 'group',
+        rotation: [10, 20, 30],
+        objects: [{ type: 'box', specular: 0, emission: [1, 1, 1] }],
+      }),
+      lights: [],
+    },
+    holds: [...MIS, 'boxSample', 'boxDistance', 'placedDirection', 'shinesInFront', 'toOwnSpace'],
+  },
   'a plane that shines, met by chance': {
     scene: { ...withObject({ type: 'plane', specular: 0, point: [0, 3, 0], emission: [1, 1, 1] }) },
     holds: ['planeDistance', 'shinesInFront'],

@@ -1,5 +1,6 @@
 /** Emitters, and points to look at them from: for the tests of the reference, and of the shaders against it. */
 import type { Vec3 } from '@ray-scene/core';
+import { Affine } from '../../packages/core/src/affine.ts';
 import { emitterTable } from '../../packages/core/src/emitter-table.ts';
 import { type EmittingScene, sceneEmitters } from '../../packages/core/src/emitters.ts';
 import type { EnvironmentImage } from '../../packages/core/src/environment-image.ts';
@@ -41,6 +42,9 @@ export const lights = {
   'a wide sun': { type: 'directional', color: white, intensity: 2, direction: [1, 2, 0.5], angularDiameter: 90 },
 } as const satisfies { readonly [name: string]: Light };
 
+const map = (position: Vec3, rotation: Vec3, factors: Vec3 = [1, 1, 1]): Affine =>
+  Affine.identity.within({ position, rotation, scale: factors });
+
 export const shapes = {
   sphere: { type: 'sphere', center: [0.2, 1, -2], radius: 0.7 },
   rectangle: { type: 'quad', corner: [-1, 1.5, -1.5], edgeU: [2, 0, 0], edgeV: [0, 0, 1.5] },
@@ -51,6 +55,22 @@ export const shapes = {
   triangle: { type: 'triangle', a: [-1, 1.5, -2], b: [1.5, 1.2, -1.5], c: [0, 2, 0.5] },
   box: { type: 'box', center: [0.3, 1.5, -1], size: [1, 0.6, 1.4] },
   cylinder: { type: 'cylinder', base: [-0.5, 1, -1.5], top: [0.7, 1.6, -1], radius: 0.4 },
+  'turned box': { type: 'box', center: [0, 0, 0], size: [1, 0.6, 1.4], place: map([0.3, 1.5, -1], [20, 40, 10]) },
+  ellipsoid: { type: 'sphere', center: [0.1, 0, 0], radius: 1, place: map([0.2, 1, -2], [10, 50, 0], [0.7, 0.4, 1]) },
+  'elliptic cylinder': {
+    type: 'cylinder',
+    base: [0, -0.5, 0],
+    top: [0, 0.5, 0],
+    radius: 0.5,
+    place: map([0.3, 1.3, -1.2], [30, 0, 40], [0.5, 1, 1.2]),
+  },
+  'elliptic disc': {
+    type: 'disc',
+    center: [0, 0, 0],
+    normal: [0.3, -1, 0.2],
+    radius: 1,
+    place: map([0.5, 1.5, -1], [0, 20, 0], [1, 0.8, -0.4]),
+  },
 } as const;
 
 /** From all around them. */
@@ -67,6 +87,9 @@ export const inside: { readonly [name: string]: Vec3 } = {
   sphere: [0.3, 1.2, -1.9],
   box: [0.1, 1.6, -0.5],
   cylinder: [0.2, 1.25, -1.2],
+  'turned box': [0.4, 1.6, -0.8],
+  ellipsoid: [0.3, 1.1, -1.8],
+  'elliptic cylinder': [0.35, 1.4, -1.2],
 };
 
 /** Numbers of a fixed generator, uniform in [0, 1) with 24 bits. */

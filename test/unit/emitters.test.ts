@@ -81,7 +81,7 @@ describe('emitters', () => {
         const total = bins.reduce((sum, { mean }) => sum + mean, 0);
         const error = Math.sqrt(bins.reduce((sum, { variance }) => sum + variance, 0));
         // From a point on it, a part of the directions leads outside; of a sphere those are not asked.
-        const expected = own === undefined || name === 'sphere' ? 1 : share(name, p);
+        const expected = own === undefined || shapes[name].type === 'sphere' ? 1 : share(name, p);
         assert.ok(
           error < 0.05 && Math.abs(total - expected) < 4 * error,
           `${total} ± ${error}, not ${expected} from ${p}`,
@@ -218,6 +218,27 @@ describe('the light of shapes', () => {
         { own: 0 },
       );
       close(facing, Math.PI);
+    }
+  });
+
+  it('is what all directions bring that meet it, in a space of its own', () => {
+    const p: Vec3 = [0.3, 0.1, -1];
+    for (const name of names.filter((one) => 'place' in shapes[one])) {
+      const shape = shapes[name];
+      const next = numbers(37);
+      const brought = Array.from({ length: 100_000 }, () => {
+        const direction = aroundDirection([next(), next()]);
+        const meets = tracedShape(shape).distance(shape, { origin: p, direction }, false) < Number.POSITIVE_INFINITY;
+        return meets ? 4 * Math.PI * Math.max(direction[1], 0) : 0;
+      });
+      const mean = brought.reduce((sum, x) => sum + x, 0) / brought.length;
+      const error = Math.sqrt(brought.reduce((sum, x) => sum + (x - mean) ** 2, 0)) / brought.length;
+      const asked = irradiance(shape, p, up);
+      assert.ok(
+        Math.abs(asked.mean - mean) < 4 * Math.hypot(asked.error, error),
+        `${name}: ${asked.mean}, not ${mean}`,
+      );
+      assert.ok(asked.error < error, `${asked.error} of 20,000 asked for, ${error} of 100,000 by chance`);
     }
   });
 

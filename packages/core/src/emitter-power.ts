@@ -41,7 +41,7 @@ export function emitterPower(emitter: BareEmitter, { center, radius }: Ball): nu
     case 'spot':
       return profileAngle(emitter.profile) * mean(emitter.intensity) * share(emitter.position);
     default: {
-      const { middle, area } = surfaceOf(emitter);
+      const { middle, area } = placedSurface(emitter);
       return Math.PI * mean(emitter.radiance) * area * share(middle);
     }
   }
@@ -63,11 +63,20 @@ const each = (choose: (a: number, b: number) => number, a: Vec3, b: Vec3): Vec3 
 const profileAngle = ({ outer, penumbra }: Profile): number =>
   4 * Math.PI * Math.sin((outer * (1 - penumbra / 2)) / 2) ** 2;
 
-/** Where an object that shines is, and how large its surface is; of what has no inside, both sides count that shine. */
-function surfaceOf(emitter: Extract<BareEmitter, { object: number }>): {
+/** In the scene; of what a map stretches, roughly how large. */
+function placedSurface(emitter: Extract<BareEmitter, { object: number }>): Surface {
+  const { middle, area } = surfaceOf(emitter);
+  const { place } = emitter;
+  return place ? { middle: place.point(middle), area: area * place.meanFactor ** 2 } : { middle, area };
+}
+
+interface Surface {
   readonly middle: Vec3;
   readonly area: number;
-} {
+}
+
+/** Where an object that shines is, and how large its surface is; of what has no inside, both sides count that shine. */
+function surfaceOf(emitter: Extract<BareEmitter, { object: number }>): Surface {
   const sides = emitter.side === 'both' ? 2 : 1;
   switch (emitter.kind) {
     case 'sphere': {

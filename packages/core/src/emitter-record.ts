@@ -1,4 +1,5 @@
 /** What the shader is told of emitters: one record for all kinds, whose members are there when a kind needs them. */
+import type { Affine } from './affine.ts';
 import type { AliasTable } from './emitter-table.ts';
 import { type Emitter, type EmitterKind, type EmitterOf, emitterKinds, type Profile } from './emitters.ts';
 import type { Feature } from './features.ts';
@@ -44,6 +45,14 @@ export const emitterRecord = [
   { name: 'cone', type: 'float', when: 'sunEmitter' },
   { name: 'turn', type: 'float', when: 'imageEmitter' },
   { name: 'decays', type: 'float', when: 'fading steadyEmitter' },
+  /** Of what is in a space of its own: the rows of the map into it, and its axes in the scene. */
+  { name: 'ownX', type: 'vec3', when: 'placedEmitter' },
+  { name: 'inOwnSpace', type: 'float', when: 'placedEmitter' },
+  { name: 'ownY', type: 'vec3', when: 'placedEmitter' },
+  { name: 'ownZ', type: 'vec3', when: 'placedEmitter' },
+  { name: 'sceneX', type: 'vec3', when: 'placedEmitter' },
+  { name: 'sceneY', type: 'vec3', when: 'placedEmitter' },
+  { name: 'sceneZ', type: 'vec3', when: 'placedEmitter' },
   { name: 'probability', type: 'float', when: 'severalEmitters' },
   { name: 'threshold', type: 'float', when: 'severalEmitters' },
   { name: 'alias', type: 'int', when: 'severalEmitters' },
@@ -71,6 +80,7 @@ export function emitterFeatures(emitters: readonly Emitter[]): readonly Feature[
     ...is('steadyEmitter', (one) => 'decay' in one && one.decay === 0),
     ...is('aimedBall', (one) => one.kind === 'sphere' && !!one.profile),
     ...is('innerEmitter', (one) => hasInside(one) && one.side !== 'front'),
+    ...is('placedEmitter', (one) => !!placeOfOwn(one)),
   ];
 }
 
@@ -102,7 +112,7 @@ export function packEmitter(emitters: readonly Emitter[], table: AliasTable, ind
   const emitter = emitters[index] as Emitter;
   return {
     ...ABSENT_EMITTER,
-    ...placeOf(emitter, frame),
+    ...placedIn(emitter, frame),
     kind: emitterKinds.indexOf(emitter.kind),
     strength: strengthOf(emitter, frame),
     ...('object' in emitter ? { object: emitter.object, side: SIDES[emitter.side] } : {}),
@@ -138,6 +148,13 @@ export const ABSENT_EMITTER: Values = {
   cone: 1,
   turn: 0,
   decays: 1,
+  ownX: [1, 0, 0],
+  inOwnSpace: 0,
+  ownY: [0, 1, 0],
+  ownZ: [0, 0, 1],
+  sceneX: [1, 0, 0],
+  sceneY: [0, 1, 0],
+  sceneZ: [0, 0, 1],
   probability: 0,
   threshold: 0,
   alias: 0,
@@ -168,6 +185,19 @@ const packProfile = ({ axis, outer, penumbra }: Profile) => ({
   // A hard edge is very steep.
   perPenumbra: Math.min(1 / (outer * penumbra), LARGEST),
 });
+
+const placeOfOwn = (emitter: Emitter): Affine | undefined => ('place' in emitter ? emitter.place : undefined);
+
+/** Where an emitter is, in the scene or in a space of its own, whose unit makes volumes there as large as in the scene. */
+function placedIn(emitter: Emitter, frame: Frame): Partial<Values> {
+  const place = placeOfOwn(emitter);
+  if (!place) return placeOf(emitter, frame);
+  const factor = place.meanFactor;
+  const [ownX, ownY, ownZ] = place.inverse.map((row) => scale(row, factor)) as [Vec3, Vec3, Vec3];
+  const [sceneX, sceneY, sceneZ] = place.columns.map((column) => scale(column, 1 / factor)) as [Vec3, Vec3, Vec3];
+  const own: Frame = { origin: place.pointBack(frame.origin), scale: frame.scale * factor };
+  return { ...placeOf(emitter, own), inOwnSpace: 1, ownX, ownY, ownZ, sceneX, sceneY, sceneZ };
+}
 
 /** Where an emitter is, and how large. */
 function placeOf(emitter: Emitter, frame: Frame): Partial<Values> {

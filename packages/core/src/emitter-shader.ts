@@ -13,15 +13,33 @@ export function emittersGlsl(features: readonly Feature[]): string {
   const includes = kinds.map((kind) => `#include "light/emitter/${kind}.glsl"\n`);
   const pdfOf = (kind: EmitterKind): string =>
     POINTS.includes(kind) ? 'return 0.0;' : `return ${kind}Pdf(e, from, d, t, cosine, own);`;
+  const isPlaced = features.includes('placedEmitter');
+  const [sampleName, pdfName] = isPlaced ? ['ownSampleOf', 'ownPdfOf'] : ['sampleOf', 'pdfOf'];
   return `${includes.join('')}
-EmitterSample sampleOf(Emitter e, vec3 p, vec2 u, bool own) {
+EmitterSample ${sampleName}(Emitter e, vec3 p, vec2 u, bool own) {
 ${forKind(kinds, (kind) => `return ${kind}Sample(e, p, u, own);`)}}
 #ifdef AREA_EMITTER
-float pdfOf(Emitter e, vec3 from, vec3 d, float t, float cosine, bool own) {
+float ${pdfName}(Emitter e, vec3 from, vec3 d, float t, float cosine, bool own) {
 ${forKind(kinds, pdfOf)}}
 #endif
-${isKindGlsl(kinds, 'sun')}${isKindGlsl(kinds, 'image')}`;
+${isPlaced ? ownSpaceGlsl(kinds) : ''}${isKindGlsl(kinds, 'sun')}${isKindGlsl(kinds, 'image')}`;
 }
+
+/** Where some are in a space of their own. */
+const ownSpaceGlsl = (kinds: readonly EmitterKind[]): string => `#include "light/emitter/own-cosine.glsl"
+float ownCosine(Emitter e, vec3 q, vec3 d) {
+${forKind(kinds, (kind) => `return ${cosineOf[kind] ?? '1.0'};`)}}
+#include "light/emitter/own-space.glsl"
+`;
+
+/** With the normal where a ray along d met an emitter, q from where it is; of kinds whose pdf asks for it. */
+const cosineOf: { readonly [K in EmitterKind]?: string } = {
+  quad: 'dotInOrder(e.axis, d)',
+  disc: 'dotInOrder(e.axis, d)',
+  triangle: 'dotInOrder(e.axis, d)',
+  box: 'boxCosine(e, q, d)',
+  cylinder: 'cylinderCosine(e, q, d)',
+};
 
 /** `isSun(Emitter e)`, where there are suns. */
 function isKindGlsl(kinds: readonly EmitterKind[], kind: EmitterKind): string {

@@ -1,4 +1,5 @@
 /** What can be asked for light: point-like lights, suns and objects that shine, in f64 and scene coordinates. */
+import type { Affine } from './affine.ts';
 import { emitterPower, litBall } from './emitter-power.ts';
 import { type EnvironmentImage, type ImageTable, imageTable } from './environment-image.ts';
 import type { PlacedShape } from './flat-scene.ts';
@@ -31,6 +32,8 @@ interface Shining {
   readonly side: 'front' | 'back' | 'both';
   /** Index into `ResolvedScene.objects`. */
   readonly object: number;
+  /** From the space that the rest of it is in to the scene, where that is not the scene itself. */
+  readonly place?: Affine;
 }
 
 interface EmitterKinds {
@@ -123,8 +126,7 @@ export interface ImageEnvironment {
 
 /**
  * The emitters of a scene: lights in their order (but for those that are balls), then objects, then surroundings that are
- * an image. Other surroundings, and planes, cones, tori and shapes in a space of
- * their own that shine, are not among them: paths meet those by chance.
+ * an image. Other surroundings, and planes, cones and tori that shine, are not among them: paths meet those by chance.
  */
 export function sceneEmitters(scene: EmittingScene): readonly Emitter[] {
   const points = scene.lights.filter((light) => light.type === 'directional' || !light.radius).map(lightEmitter);
@@ -179,8 +181,8 @@ function objectEmitter({ lights, materials, objects }: EmittingScene, object: nu
   const { shape, material: index, light = -1 } = objects[object] as EmittingScene['objects'][number];
   const { emission, emissionIntensity, emissionSide: side } = materials[index] as EmittingScene['materials'][number];
   const radiance = scale(emission, emissionIntensity);
-  if (Math.max(...radiance) === 0 || shape.place) return [];
-  const shining = { radiance, side, object };
+  if (Math.max(...radiance) === 0) return [];
+  const shining = { radiance, side, object, ...(shape.place ? { place: shape.place } : {}) };
   const source = lights[light];
   switch (shape.type) {
     case 'sphere': {

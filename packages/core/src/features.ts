@@ -66,10 +66,12 @@ export const features = [
   'severalGlints',
   // One that a ray may meet by chance, too.
   'areaEmitter',
-  // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards.
+  // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards; one in a
+  // space of its own.
   'steadyEmitter',
   'aimedBall',
   'innerEmitter',
+  'placedEmitter',
   'wideRange',
   'indexed',
   // Camera rays keep the digits that a horizon needs.

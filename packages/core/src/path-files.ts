@@ -11,6 +11,8 @@ import emitterDirectional from '../../../shaders/light/emitter/directional.glsl'
 import emitterDisc from '../../../shaders/light/emitter/disc.glsl';
 import emitterImage from '../../../shaders/light/emitter/image.glsl';
 import emitterInside from '../../../shaders/light/emitter/inside.glsl';
+import emitterOwnCosine from '../../../shaders/light/emitter/own-cosine.glsl';
+import emitterOwnSpace from '../../../shaders/light/emitter/own-space.glsl';
 import emitterPlaced from '../../../shaders/light/emitter/placed.glsl';
 import emitterPoint from '../../../shaders/light/emitter/point.glsl';
 import emitterProfile from '../../../shaders/light/emitter/profile.glsl';
@@ -49,6 +51,8 @@ export const pathFiles: { readonly [file: string]: string } = {
   'light/emitter/disc.glsl': emitterDisc,
   'light/emitter/image.glsl': emitterImage,
   'light/emitter/inside.glsl': emitterInside,
+  'light/emitter/own-cosine.glsl': emitterOwnCosine,
+  'light/emitter/own-space.glsl': emitterOwnSpace,
   'light/emitter/placed.glsl': emitterPlaced,
   'light/emitter/point.glsl': emitterPoint,
   'light/emitter/profile.glsl': emitterProfile,

@@ -1,13 +1,16 @@
 /** Twin of shaders/light/emitters.glsl: asking one emitter of a scene for the light that it sends to a point. */
 
+import type { Affine } from '../../affine.ts';
 import { type AliasTable, choose } from '../../emitter-table.ts';
 import type { Emitter, EmitterOf } from '../../emitters.ts';
-import type { Vec3 } from '../../vector.ts';
+import { addScaled, type Vec3 } from '../../vector.ts';
 import { boxPdf, boxSample } from './emitter/box.ts';
 import { cylinderPdf, cylinderSample } from './emitter/cylinder.ts';
 import { directionalSample } from './emitter/directional.ts';
 import { discPdf, discSample } from './emitter/disc.ts';
 import { imagePdf, imageRadiance, imageSample } from './emitter/image.ts';
+import { ownCosine } from './emitter/own-cosine.ts';
+import { rayInOwnSpace, sampleFromOwnSpace } from './emitter/own-space.ts';
 import { pointSample } from './emitter/point.ts';
 import { quadPdf, quadSample } from './emitter/quad.ts';
 import type { EmitterSample } from './emitter/sample.ts';
@@ -53,9 +56,14 @@ export function sampleOf(
   u: readonly [number, number],
   own?: number,
 ): EmitterSample | undefined {
-  const sample = (samples[emitter.kind] as Sample<Emitter>)(emitter, p, u, isObject(emitter, own));
-  return sample && sample.pdf > 0 ? sample : undefined;
+  const place = placeOf(emitter);
+  const from = place ? place.pointBack(p) : p;
+  const sample = (samples[emitter.kind] as Sample<Emitter>)(emitter, from, u, isObject(emitter, own));
+  if (!sample || !(sample.pdf > 0)) return undefined;
+  return place ? sampleFromOwnSpace(place, sample) : sample;
 }
+
+const placeOf = (emitter: Emitter): Affine | undefined => ('place' in emitter ? emitter.place : undefined);
 
 /**
  * The pdf, per solid angle, with which `sampleEmitter` finds a direction; that direction meets the emitter at the
@@ -72,7 +80,15 @@ export function emitterPdf(
 ): number {
   const emitter = emitters[index];
   if (!emitter) return 0;
-  return (table.probabilities[index] as number) * onePdf(emitter, from, direction, t, cosine, isObject(emitter, own));
+  return (table.probabilities[index] as number) * pdfOf(emitter, from, direction, t, cosine, isObject(emitter, own));
+}
+
+function pdfOf(emitter: Emitter, from: Vec3, d: Vec3, t: number, cosine: number, own: boolean): number {
+  const place = placeOf(emitter);
+  if (!place) return onePdf(emitter, from, d, t, cosine, own);
+  const ray = rayInOwnSpace(place, from, d, t);
+  const met = ownCosine(emitter, addScaled(ray.from, ray.d, ray.t), ray.d);
+  return onePdf(emitter, ray.from, ray.d, ray.t, met, own) / ray.density;
 }
 
 /** The radiance that an emitter sends along -direction; a ray with that direction has met it. */
