@@ -4,8 +4,9 @@ import { expect } from '@open-wc/testing';
 import type { Vec3 } from '@ray-scene/core';
 import { emitterFeatures } from '../../packages/core/src/emitter-record.ts';
 import { emitterTable } from '../../packages/core/src/emitter-table.ts';
-import type { Emitter, EmittingScene, ImageEnvironment } from '../../packages/core/src/emitters.ts';
+import type { EmittingScene, ImageEnvironment } from '../../packages/core/src/emitters.ts';
 import type { Frame } from '../../packages/core/src/frame.ts';
+import { rayInOwnSpace } from '../../packages/core/src/reference/light/emitter/own-space.ts';
 import { emitterPdf, type Lighting, sampleEmitter } from '../../packages/core/src/reference/light/emitters.ts';
 import { tracedShape } from '../../packages/core/src/reference/shape/index.ts';
 import { addScaled, dot, length, normalize, subtract } from '../../packages/core/src/vector.ts';
@@ -35,8 +36,8 @@ interface Asked {
   readonly question: LightQuestion;
   readonly sample: Sampled;
   readonly metPdf: number;
-  /** Whether the cosine under which the emitter is met is found in the shader, in a space of its own. */
-  readonly placed: boolean;
+  /** Of an emitter in a space of its own the cosine there, which the shader finds; of others 1. */
+  readonly ownCosine: number;
 }
 
 /** Questions from points, and what the reference says to the same numbers. */
@@ -62,12 +63,18 @@ function ask(lighting: Lighting, scene: EmittingScene, points: readonly Place[])
       },
       sample,
       metPdf: emitterPdf(lighting, met, inScene, direction, t, cosine, own),
-      placed: isPlaced(lighting.emitters[met]),
+      ownCosine: cosineInOwnSpace(scene, inScene, sample),
     };
   });
 }
 
-const isPlaced = (emitter: Emitter | undefined): boolean => !!emitter && 'place' in emitter;
+function cosineInOwnSpace({ objects }: EmittingScene, p: Vec3, sample: Sampled): number {
+  const { place, ...shape } = objects[sample?.object ?? -1]?.shape ?? {};
+  if (!place || !sample) return 1;
+  const { from, d, t } = rayInOwnSpace(place, p, sample.direction, sample.distance);
+  const own = shape as Parameters<typeof tracedShape>[0];
+  return Math.abs(dot(tracedShape(own).normal(own, addScaled(from, d, t)), d));
+}
 
 function cosineAt({ objects }: EmittingScene, p: Vec3, { object, direction, distance }: NonNullable<Sampled>): number {
   const shape = object === undefined ? undefined : objects[object]?.shape;
@@ -85,7 +92,7 @@ function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
     largest[name] = Math.max(largest[name], value);
   };
   const peak = Math.max(...asked.map(({ sample }) => Math.max(...(sample?.radiance ?? [0]))));
-  asked.forEach(({ question, sample, metPdf, placed }, i) => {
+  asked.forEach(({ question, sample, metPdf, ownCosine }, i) => {
     const answer = answers[i] as LightAnswer;
     const cosine = Math.abs(question.met.cosine);
     expect(answer.pdf > 0).to.equal(!!sample);
@@ -96,7 +103,7 @@ function differences(asked: readonly Asked[], answers: readonly LightAnswer[]) {
     note('distance', (cosine * Math.abs(answer.distance / frame.scale - right)) / Math.max(right, 1));
     note('radiance', length(subtract(answer.radiance, sample.radiance)) / peak);
     note('pdf', cosine * relative(answer.pdf, sample.pdf));
-    note('metPdf', (placed ? cosine : 1) * relative(answer.metPdf, metPdf));
+    note('metPdf', ownCosine * relative(answer.metPdf, metPdf));
   });
   return largest;
 }

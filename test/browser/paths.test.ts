@@ -101,6 +101,24 @@ describe('paths on the GPU against the reference', function () {
         floor,
       ],
     },
+    'shapes that shine in spaces of their own, from outside and inside': {
+      camera,
+      objects: [
+        floor,
+        {
+          type: 'group',
+          rotation: [20, 40, 10],
+          scale: [1, 0.6, 1.5],
+          objects: [
+            { type: 'sphere', center: [-2, 2, 0], radius: 0.4, emission: [9, 5, 5] },
+            { type: 'box', center: [2, 1, 0], size: [0.5, 0.8, 0.5], emission: [5, 5, 9], emissionSide: 'both' },
+            { type: 'cylinder', base: [0, 3, 0], top: [1, 3, -1], radius: 0.2, emission: [3, 9, 3] },
+            { type: 'sphere', center: [0, 0, 0], radius: 9, emission: [0.2, 0.2, 0.3], emissionSide: 'back' },
+          ],
+        },
+        ball,
+      ],
+    },
     'nothing at all': { environment: sky, background: 'teal' },
     'a thin lens': { camera: { ...camera, aperture: 0.2 }, environment: sky, objects: [ball, floor] },
     'an orthographic view': { camera: { ...camera, type: 'orthographic' }, environment: sky, objects: [ball, floor] },
