@@ -6,17 +6,23 @@ import { type Browser, findBrowser } from '../browsers.mjs';
 import { ensureDisplay } from '../display.mjs';
 import { Gpu } from '../truth/gpu-side.ts';
 import { startBrowser } from './browser-pages.ts';
+import {
+  CALIBRATION_PAGE,
+  measureCalibration,
+  QUICK_CALIBRATION,
+  THOROUGH_CALIBRATION,
+} from './calibration/calibration.ts';
 import { bundleSize, describeMachine } from './circumstances.ts';
 import { type Convergence, measureConvergence, printConvergence, printConvergenceHead } from './convergence.ts';
 import { measureFeatures, printFeature, printFeaturesHead } from './features.ts';
 import { FRAMES_PAGE, measureFrames } from './frames.ts';
-import { GOVERNED_PAGE, measureGoverned, printGovernedFoot, printGovernedHead } from './governed.ts';
+import { GOVERNED_PAGE, measureGoverned } from './governed.ts';
 import { measure, type Plan, type SceneToBench } from './measure.ts';
 import { type BenchOptions, oneOf, readOptions, USAGE } from './options.ts';
 import { measurePrimitives, PRIMITIVES_PAGE, printPrimitives } from './primitives.ts';
 import { printMachine, printScenes } from './report.ts';
 import { presetsOf, printPresets } from './trade/presets.ts';
-import { benchTrade, printCalibration, readNumbers, writeReport } from './trade/trade.ts';
+import { benchTrade, readNumbers, type TradeNumbers, writeReport } from './trade/trade.ts';
 
 const SCENES = 'examples/scenes';
 
@@ -80,13 +86,19 @@ async function benchFeatures(browser: Browser, plan: Plan) {
   return { features: await measureFeatures(() => startBrowser(browser), plan, printFeature) };
 }
 
-async function benchAdaptive(browser: Browser, scenes: readonly SceneToBench[], { maxError, samples }: BenchOptions) {
-  const started = await startBrowser(browser, GOVERNED_PAGE);
-  printGovernedHead(maxError);
-  const adaptive = await measureGoverned(started, scenes, maxError, samples);
+async function benchCalibration(browser: Browser, scenes: readonly SceneToBench[], { quick, scene }: BenchOptions) {
+  const started = await startBrowser(browser, CALIBRATION_PAGE);
+  const plan = quick ? QUICK_CALIBRATION : THOROUGH_CALIBRATION;
+  const calibration = await measureCalibration(started, scenes, { ...plan, truth: plan.truth && scene === undefined });
   await started.close();
-  printGovernedFoot(adaptive);
-  return { maxError, adaptive };
+  return { calibration };
+}
+
+async function benchAdaptive(browser: Browser, scenes: readonly SceneToBench[], { maxErrors, samples }: BenchOptions) {
+  const started = await startBrowser(browser, GOVERNED_PAGE);
+  const stopping = await measureGoverned(started, scenes, maxErrors, samples);
+  await started.close();
+  return { stopping };
 }
 
 async function benchFrames(browser: Browser, scenes: readonly SceneToBench[]) {
@@ -120,24 +132,19 @@ async function bench(options: BenchOptions) {
     ...(parts.includes('adaptive') && (await benchAdaptive(browser, scenes, options))),
     ...(parts.includes('frames') && (await benchFrames(browser, scenes))),
     ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),
+    ...(parts.includes('trade') && { trade: await benchTrade(browser, scenes, quick) }),
+    ...(parts.includes('calibration') && (await benchCalibration(browser, scenes, options))),
   };
-  if (!parts.includes('trade')) return write(json, result);
-  const numbers = await benchTrade(browser, scenes, quick);
-  printCalibration(numbers.calibration);
-  return write(json, { ...result, ...numbers });
-}
-
-function write<R>(file: string | undefined, result: R): R {
-  if (file) writeFileSync(file, `${JSON.stringify(result, null, 2)}\n`);
+  if (json) writeFileSync(json, `${JSON.stringify(result, null, 2)}\n`);
   return result;
 }
 
 async function main(): Promise<void> {
   const options = readOptions(process.argv.slice(2));
   if (options.help) return console.log(USAGE);
-  const numbers = options.from ? readNumbers(options.from) : await bench(options);
-  if (!('trade' in numbers)) return;
-  if (options.report) writeReport(numbers, numbers.machine);
+  const numbers: Partial<TradeNumbers> = options.from.length > 0 ? readNumbers(options.from) : await bench(options);
+  if (!numbers.trade) return;
+  if (options.report) writeReport(numbers as TradeNumbers);
   if (options.presets && !printPresets(presetsOf(numbers.trade))) process.exitCode = 1;
 }
 

@@ -19,6 +19,8 @@ const SIZE = { width: 256, height: 160 };
 const EACH = 2;
 
 export interface Governed {
+  readonly scene: string;
+  readonly maxError: number;
   /** True noise over what was asked for, at the stop. */
   readonly evenNoise: number;
   readonly adaptedNoise: number;
@@ -42,14 +44,21 @@ interface SceneText {
 export async function measureGoverned(
   browser: BenchBrowser,
   scenes: readonly SceneText[],
-  maxError: number,
+  maxErrors: readonly number[],
   samples: number,
-): Promise<{ readonly [scene: string]: Governed }> {
-  const results: { [scene: string]: Governed } = {};
-  for (const { name, scene } of scenes) {
-    const page = await browser.open();
-    results[name] = await measureScene(page, scene, maxError, { integrator: 'path', samples, maxError });
-    print(name, results[name]);
+): Promise<readonly Governed[]> {
+  const results: Governed[] = [];
+  for (const maxError of maxErrors) {
+    printHead(maxError);
+    const rows: Governed[] = [];
+    for (const { name, scene } of scenes) {
+      const page = await browser.open();
+      const measured = await measureScene(page, scene, maxError, { integrator: 'path', samples, maxError });
+      rows.push({ scene: name, maxError, ...measured });
+      print(rows.at(-1) as Governed);
+    }
+    printFoot(rows);
+    results.push(...rows);
   }
   return results;
 }
@@ -102,7 +111,7 @@ const median = (values: readonly number[]): number => [...values].sort((a, b) =>
 
 const WIDTH = 11;
 
-export function printGovernedHead(maxError: number): void {
+function printHead(maxError: number): void {
   console.log(
     `\nmax-error ${maxError} at ${SIZE.width} × ${SIZE.height}: even and adapted; noise and bias over what was asked`,
   );
@@ -110,7 +119,7 @@ export function printGovernedHead(maxError: number): void {
   console.log(''.padEnd(16) + names.map((name) => name.padStart(WIDTH)).join(''));
 }
 
-function print(name: string, row: Governed): void {
+function print(row: Governed): void {
   const cells = [
     row.evenSamples.toFixed(0),
     row.adaptedSamples.toFixed(0),
@@ -121,10 +130,15 @@ function print(name: string, row: Governed): void {
     row.biasError.toFixed(3),
     row.reasons.join(' '),
   ];
-  console.log(name.padEnd(16) + cells.map((cell) => cell.padStart(WIDTH)).join(''));
+  console.log(row.scene.padEnd(16) + cells.map((cell) => cell.padStart(WIDTH)).join(''));
 }
 
-export function printGovernedFoot(results: { readonly [scene: string]: Governed }): void {
-  const ratios = Object.values(results).map(({ timeRatio }) => timeRatio);
-  console.log(`median time ratio ${median(ratios).toFixed(2)}`);
+/** How far the noise at the stop may be from what was asked. */
+const TOLERANCE = 0.25;
+
+function printFoot(rows: readonly Governed[]): void {
+  const near = rows.filter(({ adaptedNoise }) => Math.abs(adaptedNoise - 1) <= TOLERANCE).length;
+  const enough = rows.filter(({ reasons }) => !reasons.includes('samples')).length;
+  console.log(`median time ratio ${median(rows.map(({ timeRatio }) => timeRatio)).toFixed(2)}`);
+  console.log(`noise at the stop within a quarter of what was asked: ${near} of ${rows.length}, ${enough} ended by it`);
 }

@@ -27,6 +27,16 @@ describe('life of <ray-scene>', () => {
     host.remove();
   });
 
+  it('tells of progress also while only some of the picture gets samples', async () => {
+    const half = '<ray-quad corner="0 -9 -1" edge-u="9 0 0" edge-v="0 18 0" emission="white"></ray-quad>';
+    const element = await sceneWith(`${half}<ray-sphere center="-1 0 0"></ray-sphere>`, 'integrator="path"');
+    Object.assign(element, { samples: 1000, maxError: 0.004 });
+    element.style.width = '192px';
+    const heard: { readonly told: number; readonly least: number | undefined }[] = [];
+    element.addEventListener('progress', ({ samples }) => heard.push({ told: samples, least: element.stats?.samples }));
+    await waitUntil(() => heard.some(({ told, least }) => least && told > least + 1), undefined, { timeout: 20_000 });
+  });
+
   it('renews its promises with every edit', async () => {
     const element = await sceneWith(BALL);
     const first = element.complete;

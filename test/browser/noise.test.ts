@@ -2,6 +2,7 @@ import '@ray-scene/core/parts';
 import { expect } from '@open-wc/testing';
 import { parseScene, parseSettings, type RenderSettings } from '@ray-scene/core';
 import { Accumulation } from '../../packages/ray-scene/src/accumulation.ts';
+import { CELL_BITS } from '../../packages/ray-scene/src/cells.ts';
 import { type Noise, NoiseMeter } from '../../packages/ray-scene/src/noise-meter.ts';
 import { Program } from '../../packages/ray-scene/src/program.ts';
 import { RenderDevice, Renderer } from '../../packages/ray-scene/src/renderer.ts';
@@ -98,15 +99,22 @@ for (const precision of ['float', 'half'] as const) {
     });
 
     it('tells it for each cell, also where cells are cut by the edge of the picture', () => {
-      const left = 'vec4(vec3(gl_FragCoord.x < 32.0 ? 0.5 + random() : 1.0), 1)';
-      const { cells, error } = noiseOf(left, 16, { width: 40, height: 70 });
+      const side = 2 ** CELL_BITS;
+      const [width, height] = [side + 8, 2 * side + 6];
+      const left = `vec4(vec3(gl_FragCoord.x < ${side}.0 ? 0.5 + random() : 1.0), 1)`;
+      const { cells, error } = noiseOf(left, 16, { width, height });
       const expected = Math.sqrt(1 / 12 / 16 / 1.01);
+      // One degree of freedom for each pixel; four standard deviations.
+      const chance = (pixels: number): number => 4 * Math.sqrt(1 / (2 * pixels));
       expect(cells.length).to.equal(2 * 3);
       for (const [i, cell] of cells.entries()) {
-        expect(cell / expected).to.be.closeTo(i % 2 === 0 ? 1 : 0, 0.1 + SAFE * expected);
+        const pixels = side * Math.min(side, height - side * (i >> 1));
+        const off = cell / expected - (i % 2 === 0 ? 1 : 0);
+        expect(off).to.be.within(-chance(pixels), chance(pixels) + SAFE * expected);
       }
-      const whole = Math.sqrt(32 / 40);
-      expect(error / expected).to.be.within(whole - 0.05, whole * (1 + SAFE * expected) + 0.05);
+      const whole = Math.sqrt(side / width);
+      const spare = chance(side * height);
+      expect(error / expected / whole - 1).to.be.within(-spare, spare + SAFE * expected);
     });
 
     it('is a number whatever the pictures hold', () => {

@@ -1,5 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { hash } from '../../packages/core/src/random.ts';
+import { relativeNoise, tailIndex } from '../bench/calibration/tail.ts';
 import { readOptions, USAGE } from '../bench/options.ts';
 import { beating, type Choice, frontOf } from '../bench/trade/front.ts';
 import { BASE } from '../bench/trade/knobs.ts';
@@ -60,6 +62,37 @@ const choice = (milliseconds: number, error: number): Choice => ({
   measured: true,
 });
 
+describe('the tail of errors', () => {
+  /** Pictures of a grey, each number off by what `errorOf` makes of a random one between 0 and 1. */
+  function pictures(errorOf: (u: number) => number): { readonly all: Float32Array[]; readonly spread: Spread } {
+    const all = Array.from({ length: 8 }, (_, k) =>
+      Float32Array.from({ length: NUMBERS }, (_, i) => 1 + errorOf((hash(k * NUMBERS + i) + 0.5) / 2 ** 32)),
+    );
+    const spread = new Spread(NUMBERS);
+    for (const one of all) spread.add(one);
+    return { all, spread };
+  }
+
+  it('is that of the law by which large ones become rare', () => {
+    for (const index of [1, 3]) {
+      const { all, spread } = pictures((u) => u ** (-1 / index));
+      const found = tailIndex(all, spread);
+      assert.ok(Math.abs(found / index - 1) < 0.3, `${found} of ${index}`);
+    }
+  });
+
+  it('is beyond any power where errors are bounded', () => {
+    const { all, spread } = pictures((u) => u);
+    assert.ok(tailIndex(all, spread) > 10);
+  });
+
+  it('leaves noise what it is', () => {
+    const { spread } = pictures((u) => u);
+    const mean = 1.5;
+    assert.ok(Math.abs(relativeNoise(spread, spread) / Math.sqrt(1 / 12 / (mean ** 2 + 0.01)) - 1) < 0.02);
+  });
+});
+
 describe('the front', () => {
   const choices = [choice(4, 0.1), choice(1, 0.5), choice(2, 0.6), choice(8, 0.1), choice(16, 0.01)];
 
@@ -94,6 +127,8 @@ describe('what the bench can be asked for', () => {
       'from',
       'report',
       'presets',
+      'frames',
+      'max-error',
       'primitives',
       'help',
     ]) {
@@ -102,7 +137,7 @@ describe('what the bench can be asked for', () => {
   });
 
   it('is refused in words where it cannot be done', () => {
-    assert.throws(() => readOptions(['--only', 'speed']), /--only takes scenes, trade, primitives, .*, not speed/);
+    assert.throws(() => readOptions(['--only', 'speed']), /--only takes scenes, trade, calibration, .*, not speed/);
     assert.throws(() => readOptions(['--quick', '--report']), /need the trade of all scenes/);
     assert.throws(() => readOptions(['--fast']), /--fast/);
   });

@@ -68,7 +68,7 @@ export class AdaptiveOrder {
   #setGoals(cells: Cells, cap: number): boolean {
     if (this.#largest === 0) return false;
     const wanted = (factor: number, i: number) =>
-      Math.max(cells.counts[i] as number, Math.min(cap, Math.ceil(factor * (this.#spreads[i] as number))));
+      Math.max(cells.counts[i] as number, Math.min(cap, evenly(factor * (this.#spreads[i] as number))));
     const raysWith = (factor: number) =>
       cells.counts.reduce((sum, _, i) => sum + wanted(factor, i) * cells.pixelsOf({ first: i, count: 1 }), 0);
     const rays = (1 + WAVE) * cells.rays;
@@ -86,3 +86,12 @@ export class AdaptiveOrder {
 const calmestOf = (spreads: Float64Array): number => spreads.reduce((a, b) => Math.min(a, b));
 
 const inSteps = (spread: number): number => (spread > 0 ? 2 ** (Math.round(LEVELS * Math.log2(spread)) / LEVELS) : 0);
+
+/**
+ * At least so many samples, and of those numbers with which a Sobol sequence covers the square evenly: multiples of a power
+ * of two, here of an eighth to a quarter of it.
+ */
+function evenly(samples: number): number {
+  const step = 2 ** Math.max(0, Math.floor(Math.log2(samples)) - 2);
+  return Math.ceil(samples / step) * step;
+}

@@ -1,7 +1,7 @@
 /** Which samples the pixels of a picture have: all pixels of a cell have equally many. Knows no WebGL. */
 
 /** Side of a cell in pixels, as a power of two; the shaders are told. */
-export const CELL_BITS = 5;
+export const CELL_BITS = 4;
 export const CELL_PIXELS = 4 ** CELL_BITS;
 
 /** Cells one after the other, counted row by row from the bottom: some of one row, or whole rows. */

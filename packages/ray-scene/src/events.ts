@@ -29,7 +29,7 @@ export class RaySceneErrorEvent extends Event {
 
 /** Samples were added to the picture. */
 export class RaySceneProgressEvent extends Event {
-  /** Samples per pixel that the picture has. */
+  /** Samples per pixel that the picture has, in the mean. */
   readonly samples: number;
   /** Samples per pixel that it will have. */
   readonly total: number;

@@ -3,6 +3,7 @@ import { Renderer, type RenderStats, type StopReason } from './renderer.ts';
 
 /** What a turn of drawing has brought. */
 export interface Progress {
+  /** Per pixel, in the mean: where work goes where the error is, some get more for a long time. */
   readonly samples: number;
   readonly added: boolean;
   /** Whether the picture is of the scene as it is now, be it by a preview. */
@@ -60,11 +61,17 @@ export class Picture {
   /** @param camera stands in for the scene's. */
   draw(camera: ResolvedCamera | undefined, budgetMs: number): Progress {
     this.#renderer.setCamera(camera);
-    const before = this.#renderer.samples;
+    const before = this.#samples;
     const waits = budgetMs > 0 && this.#renderer.isBehind;
     const more = waits || this.#renderer.draw(budgetMs) || this.#renderer.isMeasuring;
-    const { samples, isShown: shown, stopped, stats } = this.#renderer;
+    const samples = this.#samples;
+    const { isShown: shown, stopped, stats } = this.#renderer;
     return { samples, added: samples !== before, shown, more, stopped, error: stats.error };
+  }
+
+  get #samples(): number {
+    const { rays, width, height } = this.stats;
+    return Math.floor(rays / (width * height));
   }
 
   readRadiance(): Float32Array {

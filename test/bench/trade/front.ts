@@ -65,7 +65,7 @@ export function frontOf(choices: readonly Choice[]): readonly Choice[] {
 }
 
 /** How much worse in both a choice may be than another before it is said to be beaten. */
-const MARGIN = 1.1;
+export const MARGIN = 1.1;
 
 /** What is better than a choice by more than a tenth in time and in error. */
 export const beating = (choice: Choice, choices: readonly Choice[]): readonly Choice[] =>

@@ -10,6 +10,8 @@ export interface Setting {
   readonly target: 'float' | 'half';
   /** How the one light is chosen that is asked: by what it may contribute, or all of them alike. */
   readonly lights: 'power' | 'uniform';
+  /** Radiance above which samples are dimmed. */
+  readonly clamp?: number;
 }
 
 export type Knob = keyof Setting;
@@ -62,6 +64,8 @@ export const VARIANTS: readonly Variant[] = [
   variant('a quarter of the pixels', 'scale', { scale: 0.5 }),
   variant('direct, a quarter of the pixels', 'scale', { integrator: 'direct', bounces: 4, scale: 0.5 }),
   variant('half-float target', 'target', { target: 'half' }),
+  variant('clamp at 1', 'clamp', { clamp: 1 }),
+  variant('clamp at 10', 'clamp', { clamp: 10 }),
   variant('all lights alike', 'lights', { lights: 'uniform' }),
 ];
 

@@ -14,9 +14,8 @@ export interface TradePlan {
   readonly variants: readonly Variant[];
   /** For the picture that all others are held to. */
   readonly convergeMs: number;
-  /** For each setting, but at least two pictures; those whose estimates of noise are judged get more. */
+  /** For each setting, but at least two pictures. */
   readonly settingMs: number;
-  readonly judgedMs: number;
   readonly turns: number;
   readonly turnMs: number;
   /** Samples beyond which nothing is measured. */
@@ -27,7 +26,6 @@ export const THOROUGH_TRADE: TradePlan = {
   variants: VARIANTS,
   convergeMs: 8000,
   settingMs: 700,
-  judgedMs: 4000,
   turns: 5,
   turnMs: 50,
   mostSamples: 256,
@@ -37,7 +35,6 @@ export const QUICK_TRADE: TradePlan = {
   variants: QUICK_VARIANTS,
   convergeMs: 500,
   settingMs: 300,
-  judgedMs: 300,
   turns: 3,
   turnMs: 30,
   mostSamples: 64,
@@ -54,6 +51,9 @@ export interface Measured extends Accuracy {
   /** Of processors where the system tells, else of the clock; median, and mean distance of the middle half from it. */
   readonly msPerSample: number;
   readonly msSpread: number;
+  /** The same of a frame in which one sample is drawn and the picture is shown. */
+  readonly msPerFrame: number;
+  readonly msPerFrameSpread: number;
 }
 
 export interface SceneTrade {
@@ -63,20 +63,6 @@ export interface SceneTrade {
 }
 
 export type Trade = { readonly [scene: string]: SceneTrade };
-
-export interface Calibration {
-  readonly scene: string;
-  readonly integrator: 'path' | 'direct';
-  readonly samples: number;
-  /** Estimated over true error: the median of several pictures, and the smallest and the largest. */
-  readonly ratio: number;
-  readonly least: number;
-  readonly most: number;
-  /** What share of the variance is that of the noisiest half percent of the pixels. */
-  readonly rareShare: number;
-  /** Whether it counts: where those few pixels are most of the noise, chance decides what it is said to be. */
-  readonly judged: boolean;
-}
 
 export async function measureTrade(
   browser: BenchBrowser,
@@ -98,57 +84,46 @@ export async function measureTrade(
 async function measureScene(page: BenchPage, scene: string, plan: TradePlan): Promise<SceneTrade> {
   const converged = await page.execute((task) => trade.converge(task), { scene, milliseconds: plan.convergeMs });
   const settings: Measured[] = [];
-  for (const [i, variant] of plan.variants.entries()) settings.push(await measureVariant(page, variant, i < 2, plan));
+  for (const variant of plan.variants) settings.push(await measureVariant(page, variant, plan));
   return { converged, settings };
 }
 
-async function measureVariant(page: BenchPage, variant: Variant, judged: boolean, plan: TradePlan): Promise<Measured> {
+async function measureVariant(page: BenchPage, variant: Variant, plan: TradePlan): Promise<Measured> {
   const { name, knob, setting } = variant;
   const opened = await page.execute((one) => trade.open(one), setting);
   const wall = await page.execute(() => trade.run(2) / 2, undefined);
   const samples = Math.max(1, Math.ceil(plan.turnMs / wall));
-  const turns: number[] = [];
-  for (let turn = 0; turn < plan.turns; turn++) turns.push(await takeTurn(page, samples));
-  const { median, spread } = typical(turns);
+  const turns = { sample: [] as number[], frame: [] as number[] };
+  for (let turn = 0; turn < plan.turns; turn++) {
+    turns.sample.push(await takeTurn(page, samples, false));
+    turns.frame.push(await takeTurn(page, samples, true));
+  }
+  const [ofSample, ofFrame] = [typical(turns.sample), typical(turns.frame)];
   const accuracy = await page.execute((task) => trade.measure(task), {
     samples: variant.samples.filter((count) => count <= plan.mostSamples),
     leastSeeds: 2,
     mostSeeds: 16,
-    milliseconds: judged ? plan.judgedMs : plan.settingMs,
+    milliseconds: plan.settingMs,
   });
-  return { name, knob, setting, ...opened, msPerSample: median, msSpread: spread, ...accuracy };
+  return {
+    name,
+    knob,
+    setting,
+    ...opened,
+    msPerSample: ofSample.median,
+    msSpread: ofSample.spread,
+    msPerFrame: ofFrame.median,
+    msPerFrameSpread: ofFrame.spread,
+    ...accuracy,
+  };
 }
 
-async function takeTurn(page: BenchPage, samples: number): Promise<number> {
+/** Milliseconds for a sample, or for a frame that shows it. */
+async function takeTurn(page: BenchPage, samples: number, shows: boolean): Promise<number> {
   const before = childrenCpuMs();
-  const wall = await page.execute((count) => trade.run(count), samples);
+  const wall = shows
+    ? await page.execute((count) => trade.runFrames(count), samples)
+    : await page.execute((count) => trade.run(count), samples);
   const after = childrenCpuMs();
   return (before === undefined || after === undefined ? wall : after - before) / samples;
-}
-
-/** From as many samples on an estimate of noise is judged: no picture ends by it before. */
-const FEWEST_JUDGED = 16;
-
-/** How right the estimates of noise are, wherever there is noise. */
-export function calibrationOf(trade: Trade): readonly Calibration[] {
-  return Object.entries(trade).flatMap(([scene, { settings }]) =>
-    settings.slice(0, 2).flatMap(({ setting: { integrator }, points }) =>
-      points
-        .filter(({ samples, noiseOfAll }) => samples >= FEWEST_JUDGED && noiseOfAll > 0)
-        .map(({ samples, noiseOfAll, rareShare, estimates }) => {
-          const ratios = estimates.map((estimate) => estimate / noiseOfAll);
-          const [least, most] = [Math.min(...ratios), Math.max(...ratios)];
-          return {
-            scene,
-            integrator,
-            samples,
-            ratio: typical(ratios).median,
-            least,
-            most,
-            rareShare,
-            judged: rareShare < 0.5,
-          };
-        }),
-    ),
-  );
 }

@@ -1,13 +1,12 @@
 /** `docs/what-accuracy-costs.md`, as text. */
-import type { Machine } from '../circumstances.ts';
+import { type Calibration, isRight } from '../calibration/calibration.ts';
+import type { Governed } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
-import type { Calibration, Measured, SceneTrade, Trade } from './measure.ts';
+import type { Measured, SceneTrade, Trade } from './measure.ts';
 import { PROMISED, type Preset } from './presets.ts';
+import type { TradeNumbers } from './trade.ts';
 
-export interface TradeReport {
-  readonly machine: Machine;
-  readonly trade: Trade;
-  readonly calibration: readonly Calibration[];
+export interface TradeReport extends TradeNumbers {
   readonly presets: readonly Preset[];
 }
 
@@ -23,7 +22,8 @@ export function reportText(report: TradeReport, plotOf: (scene?: string) => stri
     introduction(report),
     gallerySection(report, plotOf()),
     fastestSection(trade),
-    calibrationSection(report.calibration),
+    ...(report.calibration ? [calibrationSection(report.calibration)] : []),
+    ...(report.stopping ? [stoppingSection(report.stopping)] : []),
     ...Object.entries(trade).map(([name, scene]) => sceneSection(name, scene, plotOf(name))),
     '',
   ].join('\n\n');
@@ -47,7 +47,8 @@ ${machine.sampleTimes === 'cpu' ? 'what all processors spent together' : 'time o
 - The **front** is the settings that nothing beats in time and error both. A **\\*** marks samples that were not drawn: their
   noise is that of the most that were, over the root of how many times more they are.
 - Settings are turned one at a time from where \`balanced\` stands: path, 6 bounces, roulette from the 4th surface on, all
-  pixels, float targets, lights chosen by what they may contribute. Roulette and the choice of lights are not for pages to choose.`;
+  pixels, float targets, lights chosen by what they may contribute. Roulette and the choice of lights are not for pages to choose. A frame
+  is one sample, shown.`;
 
 function gallerySection({ trade, presets }: TradeReport, plot: string): string {
   const choices = galleryChoices(trade);
@@ -75,10 +76,11 @@ Geometric means of the times and of the errors of ${Object.keys(trade).length} s
 
 ### Which preset am I on?
 
-What \`quality\` stands for. It is on the front if no setting that was measured beats it by more than a tenth in both.
+What \`quality\` stands for: the fastest setting that a page can ask for with the promised error, to a tenth of the time; and no
+setting at all that was measured beats it by more than a tenth in both time and error.
 \`accurate\` and \`reference\` end sooner where \`max-error\` is reached.
 
-${table(['quality', 'integrator', 'bounces', 'samples', 'ms', 'error', 'promised', 'kept, and on the front'], rows)}
+${table(['quality', 'integrator', 'bounces', 'samples', 'ms', 'error', 'promised', 'kept, and the fastest'], rows)}
 
 ### The front
 
@@ -103,21 +105,53 @@ function bestOf(scene: SceneTrade): string {
 }
 
 function calibrationSection(calibration: readonly Calibration[]): string {
-  const rows = calibration.map(({ scene, integrator, samples, ratio, least, most, rareShare, judged }) => [
-    scene,
-    integrator,
-    samples,
-    `${ratio.toFixed(2)}${judged && (ratio < 0.8 || ratio > 1.25) ? ' **!**' : ''}`,
-    `${least.toFixed(2)} to ${most.toFixed(2)}`,
-    `${percent(rareShare)}${judged ? '' : ': does not count'}`,
+  const ratio = (value: number): string => value.toFixed(2);
+  const rows = calibration.map((row) => [
+    row.scene,
+    row.integrator,
+    row.samples,
+    percent(row.noise),
+    `${ratio(row.ratio)}${isRight(row) ? '' : row.judged ? ' **!**' : ' !'}`,
+    `${ratio(row.least)} to ${ratio(row.most)}`,
+    `${row.tailIndex.toFixed(1)}${row.judged ? '' : ': not finite'}`,
   ]);
+  const right = (some: readonly Calibration[]): string => `${some.filter(isRight).length} of ${some.length}`;
   return `## Does a picture know its noise?
 
-What \`stats.error\` said over what the noise was, over all pixels: the middle of several pictures, and the range of them. It is
-to be within 0.8 and 1.25. Where half a percent of the pixels has more than half of the variance it does not count: nothing that
-has not been met can be known.
+What \`stats.error\` said over what the noise was: the middle of several pictures, and the range of them. It is to be within 0.8
+and 1.25 where the variance is finite. It is so in ${right(calibration.filter(({ judged }) => judged))} cases, and in ${right(calibration)} of all.
 
-${table(['scene', 'integrator', 'samples', 'estimated / true', 'range', 'of the noisiest 0.5 %'], rows)}`;
+Whether the variance is finite is not seen from the estimates, but from how fast large errors become rare: where one larger than
+x has a probability in proportion to x^-α, α must be above 2. It is estimated (Hill 1975) from the √n largest errors of all
+pixels of all pictures with the most samples. Where it is 2 or less, pictures in which a rare path has not been met cannot know
+of it: they say less than there is until it is met.
+
+Pictures by \`direct\`, and edges in all of them, have their samples in the same places of all pixels, so that one picture's error
+along edges is one draw, not the mean of many: the middle is right, and single pictures are off by what the range says.
+
+${table(['scene', 'integrator', 'samples', 'noise', 'estimated / true', 'range', 'tail index'], rows)}`;
+}
+
+function stoppingSection(stopping: readonly Governed[]): string {
+  const rows = stopping.map((row) => [
+    row.scene,
+    percent(row.maxError),
+    row.evenSamples.toFixed(0),
+    row.adaptedSamples.toFixed(0),
+    row.timeRatio.toFixed(2),
+    row.evenNoise.toFixed(2),
+    row.adaptedNoise.toFixed(2),
+    `${row.bias.toFixed(2)} ± ${row.biasError.toFixed(2)}`,
+    row.reasons.join(', '),
+  ]);
+  return `## What comes of \`max-error\`
+
+Pictures of 256 × 160 that end when they say that their noise is what was asked, or with the samples that were allowed. With it,
+samples go where the error is from the 16th on: their mean over the pixels is beside that of pictures in which they do not, and
+the time beside theirs. Noise and bias are told over the error that was asked for. The noise is that which several pictures have
+between them; the bias is by how much adapted pictures differ in the mean from others, which stop by the same rule.
+
+${table(['scene', 'asked', 'samples', 'adapted', 'time', 'noise', 'adapted', 'bias', 'end'], rows)}`;
 }
 
 function sceneSection(name: string, scene: SceneTrade, plot: string): string {
@@ -133,6 +167,7 @@ ${bouncesText(settings)}${table(
   [
     'setting',
     'ms/sample',
+    'ms/frame',
     'time',
     `noise of ${SHOWN_SAMPLES}`,
     'bias',
@@ -147,11 +182,13 @@ ${bouncesText(settings)}${table(
 }
 
 function settingRow(one: Measured, base: Measured): readonly (string | number)[] {
-  const { name, msPerSample, msSpread, bias, biasAtMost, points, firstFrameMs, compileMs, shaderChars } = one;
+  const { name, msPerSample, msSpread, msPerFrame, bias, biasAtMost, points, firstFrameMs, compileMs, shaderChars } =
+    one;
   const point = pointAt(one);
   return [
     name,
     `${ms(msPerSample)} ± ${ms(msSpread)}`,
+    ms(msPerFrame),
     `× ${(msPerSample / base.msPerSample).toFixed(2)}`,
     percent(point.noise),
     bias < biasAtMost / 2 ? `≤ ${percent(biasAtMost)}` : percent(bias),

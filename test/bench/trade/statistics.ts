@@ -22,10 +22,13 @@ const EPSILON = 0.01;
 /** Sums over pictures that differ by their random numbers alone. */
 export class Spread {
   count = 0;
+  /** Numbers of a picture. */
+  readonly length: number;
   readonly #sum: Float64Array;
   readonly #squares: Float64Array;
 
   constructor(length: number) {
+    this.length = length;
     this.#sum = new Float64Array(length);
     this.#squares = new Float64Array(length);
   }
@@ -58,7 +61,8 @@ export class Spread {
   }
 }
 
-const relativeTo = (right: number): number => right ** 2 + EPSILON;
+/** What the square of an error is divided by. */
+export const relativeTo = (right: number): number => right ** 2 + EPSILON;
 
 /** Of each number, whether its pixel is one of the rare ones. */
 function rareNumbers(variances: readonly number[]): readonly boolean[] {

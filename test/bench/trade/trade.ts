@@ -2,40 +2,37 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import type { Browser } from '../../browsers.mjs';
 import { startBrowser } from '../browser-pages.ts';
+import type { Calibration } from '../calibration/calibration.ts';
 import type { Machine } from '../circumstances.ts';
+import type { Governed } from '../governed.ts';
 import { galleryChoices, sceneChoices } from './front.ts';
-import {
-  type Calibration,
-  calibrationOf,
-  measureTrade,
-  QUICK_TRADE,
-  type SceneTrade,
-  THOROUGH_TRADE,
-  TRADE_PAGE,
-  type Trade,
-} from './measure.ts';
+import { measureTrade, QUICK_TRADE, type SceneTrade, THOROUGH_TRADE, TRADE_PAGE, type Trade } from './measure.ts';
 import { plotTrade } from './plots.ts';
 import { presetsOf } from './presets.ts';
 import { reportText } from './report.ts';
 
+/** What reports are made from. */
 export interface TradeNumbers {
+  readonly machine: Machine;
   readonly trade: Trade;
-  readonly calibration: readonly Calibration[];
+  readonly calibration?: readonly Calibration[];
+  readonly stopping?: readonly Governed[];
 }
 
 export async function benchTrade(
   browser: Browser,
   scenes: readonly { readonly name: string; readonly scene: string }[],
   quick: boolean,
-): Promise<TradeNumbers> {
+): Promise<Trade> {
   const started = await startBrowser(browser, TRADE_PAGE);
   const trade = await measureTrade(started, scenes, quick ? QUICK_TRADE : THOROUGH_TRADE, printScene);
   await started.close();
-  return { trade, calibration: calibrationOf(trade) };
+  return trade;
 }
 
-export const readNumbers = (file: string): TradeNumbers & { readonly machine: Machine } =>
-  JSON.parse(readFileSync(file, 'utf8'));
+/** What several runs wrote, as if it were one: of what more than one measured, the last counts. */
+export const readNumbers = (files: readonly string[]): Partial<TradeNumbers> =>
+  Object.assign({}, ...files.map((file) => JSON.parse(readFileSync(file, 'utf8'))));
 
 function printScene(name: string, { settings, converged }: SceneTrade): void {
   console.log(`\n${name}: held to ${converged.samples} samples with a noise of ${percent(converged.noise)}`);
@@ -47,30 +44,19 @@ function printScene(name: string, { settings, converged }: SceneTrade): void {
   }
 }
 
-export function printCalibration(calibration: readonly Calibration[]): void {
-  const judged = calibration.filter((row) => row.judged);
-  const ratios = judged.map(({ ratio }) => ratio);
-  const [least, most] = [Math.min(...ratios).toFixed(2), Math.max(...ratios).toFixed(2)];
-  console.log(`\nestimated over true noise: ${least} to ${most} in ${judged.length} cases`);
-  for (const { scene, integrator, samples, ratio } of judged.filter((row) => row.ratio < 0.8 || row.ratio > 1.25)) {
-    console.log(`  outside of 0.8 to 1.25: ${scene}, ${integrator}, ${samples} samples: ${ratio.toFixed(2)}`);
-  }
-  const others = new Set(calibration.filter((row) => !row.judged).map(({ scene }) => scene));
-  if (others.size > 0) console.log(`  a few pixels decide, which do not count: ${[...others].join(', ')}`);
-}
-
 const DOCS = 'docs';
 const PLOTS = 'what-accuracy-costs';
 
 /** Writes the report and its pictures. */
-export function writeReport({ trade, calibration }: TradeNumbers, machine: Machine): void {
+export function writeReport(numbers: TradeNumbers): void {
+  const { trade } = numbers;
   const presets = presetsOf(trade);
   mkdirSync(`${DOCS}/${PLOTS}`, { recursive: true });
   const plotOf = (scene = 'all-scenes'): string => `${PLOTS}/${scene}.svg`;
   const write = (file: string, text: string): void => writeFileSync(`${DOCS}/${file}`, text);
   write(plotOf(), plotTrade(galleryChoices(trade), presets));
   for (const [name, scene] of Object.entries(trade)) write(plotOf(name), plotTrade(sceneChoices(scene)));
-  write('what-accuracy-costs.md', reportText({ machine, trade, calibration, presets }, plotOf));
+  write('what-accuracy-costs.md', reportText({ ...numbers, presets }, plotOf));
 }
 
 const percent = (share: number): string => `${(100 * share).toFixed(1)} %`;

@@ -1,0 +1,105 @@
+/**
+ * `npm run bench -- --only calibration`: whether pictures know their noise. Every example, by both integrators, and every
+ * scene of the truth is drawn many times with other random numbers.
+ *
+ * What counts was decided without looking at what was estimated: scenes of finite variance, which are those whose tail
+ * index (`tailIndex`) is above 2. The others are told as well.
+ */
+import type { BenchBrowser } from '../browser-pages.ts';
+import { type BenchSubject, gallerySubjects, truthSubjects } from './subjects.ts';
+
+declare const calibration: typeof import('./page.ts');
+
+/** The module of the pages that this runs in. */
+export const CALIBRATION_PAGE = { entry: 'test/bench/calibration/page.ts', name: 'calibration' } as const;
+
+export interface CalibrationPlan {
+  readonly samples: readonly number[];
+  readonly seeds: number;
+  /** Whether the scenes of the truth are drawn as well. */
+  readonly truth: boolean;
+}
+
+export const THOROUGH_CALIBRATION: CalibrationPlan = { samples: [16, 64, 256], seeds: 12, truth: true };
+export const QUICK_CALIBRATION: CalibrationPlan = { samples: [16], seeds: 4, truth: false };
+
+export interface Calibration {
+  readonly scene: string;
+  readonly integrator: 'path' | 'direct';
+  readonly samples: number;
+  /** True error. */
+  readonly noise: number;
+  /** Estimated over true error: the median of the pictures, and the smallest and the largest. */
+  readonly ratio: number;
+  readonly least: number;
+  readonly most: number;
+  readonly tailIndex: number;
+  /** Whether its variance is finite, and the row counts. */
+  readonly judged: boolean;
+}
+
+export const LEAST_RATIO = 0.8;
+export const MOST_RATIO = 1.25;
+/** Below it a distribution has no variance. */
+const FINITE = 2;
+/** Nobody sees less, and rounding is noise as well. */
+const LEAST_NOISE = 1e-4;
+
+export async function measureCalibration(
+  browser: BenchBrowser,
+  scenes: readonly { readonly name: string; readonly scene: string }[],
+  { samples, seeds, truth }: CalibrationPlan,
+): Promise<readonly Calibration[]> {
+  console.log(`\nestimated over true noise at ${samples.join(', ')} samples, ${seeds} pictures of 96 × 64 pixels`);
+  const subjects = [...gallerySubjects(scenes), ...(truth ? await truthSubjects() : [])];
+  const rows: Calibration[] = [];
+  for (const { name, subject } of subjects) {
+    const page = await browser.open();
+    const known = await page.execute((task) => calibration.calibrate(task), { subject, samples, seeds });
+    await page.close();
+    const ofScene = rowsOf({ name, subject }, samples, known);
+    printRows(ofScene);
+    rows.push(...ofScene);
+  }
+  printFoot(rows);
+  return rows;
+}
+
+function rowsOf(
+  { name, subject: { integrator } }: BenchSubject,
+  samples: readonly number[],
+  known: ReturnType<typeof calibration.calibrate>,
+): readonly Calibration[] {
+  const rows = samples.map((count, i) => {
+    const sorted = [...(known.ratios[i] as readonly number[])].sort((a, b) => a - b);
+    return {
+      scene: name,
+      integrator,
+      samples: count,
+      noise: known.noise[i] as number,
+      ratio: ((sorted[(sorted.length - 1) >> 1] as number) + (sorted[sorted.length >> 1] as number)) / 2,
+      least: sorted[0] as number,
+      most: sorted.at(-1) as number,
+      tailIndex: known.tailIndex,
+      judged: known.tailIndex > FINITE,
+    };
+  });
+  return rows.filter(({ noise }) => noise > LEAST_NOISE);
+}
+
+export const isRight = ({ ratio }: Calibration): boolean => ratio >= LEAST_RATIO && ratio <= MOST_RATIO;
+
+function printRows(rows: readonly Calibration[]): void {
+  const [first] = rows;
+  if (!first) return;
+  const { scene, integrator, tailIndex, judged } = first;
+  const ratios = rows.map((row) => `${row.ratio.toFixed(2)}${isRight(row) ? ' ' : '!'}`.padStart(7));
+  const kind = judged ? '' : ', variance not finite';
+  console.log(`${scene.padEnd(26)}${integrator.padEnd(8)}${ratios.join('')}   tail ${tailIndex.toFixed(1)}${kind}`);
+}
+
+function printFoot(rows: readonly Calibration[]): void {
+  const judged = rows.filter((row) => row.judged);
+  const right = (some: readonly Calibration[]): string => `${some.filter(isRight).length} of ${some.length}`;
+  console.log(`within ${LEAST_RATIO} to ${MOST_RATIO}: ${right(judged)} of finite variance, ${right(rows)} of all`);
+}
