@@ -79,6 +79,8 @@ function pictureLine(row: ImageRow): string {
   if (skipped !== null) return `| ${scene} | ${side} | ${skipped} | | | | | | | | | |\n`;
   const shares = [row.bias, row.biasError].map((share) => percent(share ?? 0));
   const ratios = [row.rmsZ, row.rmsZNoisy, row.expectedRmsZ, row.errorRatio].map((ratio) => (ratio ?? 0).toFixed(2));
-  const rest = [percent(row.skippedFraction ?? 0), (row.psnr ?? 0).toFixed(1), (row.minutes ?? 0).toFixed(1)];
+  // JSON has no word for an infinite one.
+  const decibels = Number.isFinite(row.psnr) ? row.psnr?.toFixed(1) : 'exact';
+  const rest = [percent(row.skippedFraction ?? 0), decibels, (row.minutes ?? 0).toFixed(1)];
   return `| ${[scene, side, row.samples, ...shares, ...ratios, ...rest].join(' | ')} |\n`;
 }
