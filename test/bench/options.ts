@@ -38,7 +38,7 @@ Measures how long scenes take, and what each setting costs and buys.
   --presets           tells which settings quality should stand for; fails if settings.ts says otherwise
   --help              this text
 
-Without --only: scenes, trade, calibration and primitives; with --scene the first three.`;
+Without --only: scenes, trade, calibration and primitives; with --scene the first three, with --quick the first two.`;
 
 export interface BenchOptions {
   readonly quick: boolean;
@@ -92,7 +92,7 @@ export function readOptions(args: readonly string[]): BenchOptions {
     throw new Error('--report and --presets need the trade of all scenes and settings');
   return {
     quick,
-    parts: only === undefined ? PARTS.slice(0, scene === undefined ? 4 : 3) : [only as Part],
+    parts: only === undefined ? PARTS.slice(0, quick ? 2 : scene === undefined ? 4 : 3) : [only as Part],
     scene,
     engine,
     maxErrors: values['max-error'].split(',').map(Number),
