@@ -88,6 +88,23 @@ describe('output', () => {
       near(shownAt(x, y), [byte, byte, byte, 255], 1);
   });
 
+  it('depth from afar, through a lens of a third of a degree', async () => {
+    const lens = { position: [0, 0, 1000], target: [0, 0, 900], fov: 0.3 };
+    const scene = parseScene({ camera: lens, objects: [ball, wall] });
+    await show(scene, { output: 'depth' });
+    // Rays start near the ball, but depth counts from the camera.
+    for (const [x, y, t] of [
+      [0, 0, 999],
+      [14, 14, 1005],
+    ] as const) {
+      const byte = 255 / (1 + t / 100);
+      near(shownAt(x, y), [byte, byte, byte, 255], 1);
+    }
+    const { data } = renderReference(scene, { width: 33, height: 33, samples: 4, output: 'depth' });
+    const differ = [...renderer.readRadiance()].filter((value, i) => !(Math.abs(value - (data[i] as number)) < 1e-6));
+    expect(differ.length).to.be.lessThan(0.01 * data.length);
+  });
+
   for (const output of ['normal', 'depth', 'albedo'] as const) {
     it(`${output} is what the reference says`, async () => {
       const checkered = { type: 'plane', point: [0, -1, 0], color: 'white', checker: 'teal' };
