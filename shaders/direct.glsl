@@ -28,10 +28,17 @@ vec3 lightFrom(Parts scene, From from, Surface s, vec3 p, vec3 d) {
 }
 
 Surface surfaceAt(Parts scene, From from, vec3 p, vec3 d) {
+#if defined(INDEXED) && defined(REFLECTIVE)
+  Met met = metAt(scene, from, d);
+  return Surface(met.normal, met.material, abs(dot(met.normal, d)));
+#elif defined(INDEXED)
+  Met met = metAt(scene, from, d);
+  return Surface(met.normal, met.material);
+#elif defined(REFLECTIVE)
   vec3 n = normalAt(scene, from, d);
-#ifdef REFLECTIVE
   return Surface(n, materialAt(scene, from, p), abs(dot(n, d)));
 #else
+  vec3 n = normalAt(scene, from, d);
   return Surface(n, materialAt(scene, from, p));
 #endif
 }

@@ -63,7 +63,7 @@ Media startMedia(Parts scene) {
 #endif
   for (int i = 3; i >= 0; i--) {
     int object = int(scene.surroundings.around[i]);
-    if (object >= 0) m = enter(m, object, materialAt(scene, fromPoint(scene, vec3(0.0), Hit(0.0, object)), vec3(0.0)));
+    if (object >= 0) m = enter(m, object, metAt(scene, fromPoint(scene, vec3(0.0), Hit(0.0, object)), vec3(0.0)).material);
   }
 #elif defined(ATTENUATION)
   m.attenuation = vec3(0.0);

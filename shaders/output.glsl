@@ -42,9 +42,9 @@ vec4 firstSurface() {
   p += hit.t * d;
   from = fromPoint(scene, p, hit);
 #ifdef NORMAL
-  return vec4(decodeSrgb(0.5 * normalAt(scene, from, d) + 0.5), 1.0);
+  return vec4(decodeSrgb(0.5 * metAt(scene, from, d).normal + 0.5), 1.0);
 #else
-  return vec4(materialAt(scene, from, p).color, 1.0);
+  return vec4(metAt(scene, from, d).material.color, 1.0);
 #endif
 #endif
 }

@@ -148,11 +148,12 @@ vec4 path() {
 #endif
     p += hit.t * d;
     from = fromPoint(scene, p, hit);
-    vec3 n = normalAt(scene, from, d);
-    Material m = materialAt(scene, from, p);
+    Met met = metAt(scene, from, d);
+    vec3 n = met.normal;
+    Material m = met.material;
     float cosine = max(-dotInOrder(n, d), 0.0);
 #ifdef SIDES
-    bool front = frontAt(scene, from, d);
+    bool front = met.front;
 #endif
 #ifdef EMISSIVE
     if (!isBlack(m.emission)) {

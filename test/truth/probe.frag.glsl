@@ -25,5 +25,9 @@ void main() {
   from.own = OWN;
   Hit hit = nearest(scene, from, direction);
   from = fromPoint(scene, origin + hit.t * direction, hit);
+#ifdef INDEXED
+  answer = vec4(hit.t, metAt(scene, from, direction).normal);
+#else
   answer = vec4(hit.t, normalAt(scene, from, direction));
+#endif
 }

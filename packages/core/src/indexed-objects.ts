@@ -158,50 +158,61 @@ ${searches.join('\n')}
 `;
 }
 
-/** A statement for the object that the point is on, `i` being its index in the array of its kind. */
-function forHit(groups: readonly Group[], statement: (group: Group) => string): string {
+/** Statements for the object that the point is on, `i` being its index in the array of its kind. */
+function forHit(groups: readonly Group[], statements: (group: Group) => readonly string[]): string {
   const branches = groups.map((group, number) => {
     const last = number === groups.length - 1;
     const condition = last ? '' : `if (from.own.object < ${group.first + group.count}) `;
-    return `${condition}{\n    int i = from.own.object - ${group.first};\n    ${statement(group)}\n  }`;
+    const lines = [`int i = from.own.object - ${group.first};`, ...statements(group)];
+    return `${condition}{\n    ${lines.join('\n    ')}\n  }`;
   });
   return `  ${branches.join(' else ')}`;
 }
 
-function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
-  const checker = (group: Group): string =>
-    has(`${group.kind}Checker`)
-      ? `\n    m.color += checkerOdd(${group.kind}Cells(${group.shape}, ${ownPoint(group, 'p')})) * m.checkerStep;`
-      : '';
-  const map = ({ kind }: Group): string =>
-    has(`${kind}Map`) ? `\n    mapImage(m, ${kind}Place(unitPoint(m, p)));` : '';
-  const asked = (group: Group): string => `${group.shape}, ${fromGlsl(group, 'from.o')}, ${ownDirection(group, 'd')}`;
-  const normal = (group: Group): string => {
-    const n = `${group.kind}Normal(${asked(group)}, 1.0)`;
-    return group.place ? `placedNormal(${group.place}, ${n})` : n;
+/** What a ray met: all of it is asked of the object at once, and its material is read in one place for all kinds. */
+function metGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
+  const isCheckered = ({ kind }: Group): boolean => has(`${kind}Checker`);
+  const checkered = groups.some(isCheckered);
+  const statements = (group: Group): readonly string[] => {
+    const { kind, shape, place } = group;
+    const normal = `${kind}Normal(s, at, e, 1.0)`;
+    return [
+      `${structName(kind)} s = ${shape};`,
+      `${structName(kind)}From at = ${kind}From(s, ${ownPoint(group, 'from.o')});`,
+      `vec3 e = ${ownDirection(group, 'd')};`,
+      `met.normal = ${place ? `placedNormal(${place}, ${normal})` : normal};`,
+      ...(has('sides') ? [`met.front = ${kind}Front(s, at, e);`] : []),
+      'material = s.material;',
+      ...(isCheckered(group) ? [`odd = checkerOdd(${kind}Cells(s, ${ownPoint(group, 'from.o')}));`] : []),
+    ];
   };
-  const frontAt = `bool frontAt(Parts scene, From from, vec3 d) {
-  bool front;
-${forHit(groups, (group) => `front = ${group.kind}Front(${asked(group)});`)}
-  return front;
+  const map = ({ kind }: Group): readonly string[] =>
+    has(`${kind}Map`) ? [`mapImage(met.material, ${kind}Place(unitPoint(met.material, from.o)));`] : [];
+  return `struct Met {
+  vec3 normal;
+${has('sides') ? '  bool front;\n' : ''}  Material material;
+};
+Met metAt(Parts scene, From from, vec3 d) {
+  Met met;
+  int material;
+${checkered ? '  float odd = 0.0;\n' : ''}${forHit(groups, statements)}
+  met.material = materials[material];
+${checkered ? '  met.material.color += odd * met.material.checkerStep;\n' : ''}${has('map') ? `${forHit(groups, map)}\n` : ''}  return met;
 }
 `;
+}
+
+function surfaceGlsl(groups: readonly Group[], has: (feature: string) => boolean): string {
   const closed = groups.filter(({ kind }) => primitiveOfKind(kind).closed);
   const isClosed = `bool isClosed(int object) {
   return ${closed.map(({ first, count }) => `(object >= ${first} && object < ${first + count})`).join(' || ')};
 }
 `;
-  return `${has('map') ? '#include "image-map.glsl"\n' : ''}${has('sides') ? frontAt : ''}${has('thin') && has('solid') ? isClosed : ''}vec3 normalAt(Parts scene, From from, vec3 d) {
-  vec3 n;
-${forHit(groups, (group) => `n = ${normal(group)};`)}
-  return n;
-}
-Material materialAt(Parts scene, From from, vec3 p) {
-  Material m;
-${forHit(groups, (group) => `m = materials[${group.shape}.material];${checker(group)}${map(group)}`)}
-  return m;
-}
-`;
+  return [
+    has('map') ? '#include "image-map.glsl"\n' : '',
+    has('thin') && has('solid') ? isClosed : '',
+    metGlsl(groups, has),
+  ].join('');
 }
 
 function lightsGlsl({ lights }: Requirements): string {
