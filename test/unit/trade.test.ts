@@ -136,6 +136,11 @@ describe('what the bench can be asked for', () => {
     }
   });
 
+  it('is, without a wish, also what shapes cost', () => {
+    assert.deepEqual(readOptions([]).parts, ['scenes', 'trade', 'calibration', 'primitives']);
+    assert.deepEqual(readOptions(['--scene', 'classic']).parts, ['scenes', 'trade', 'calibration']);
+  });
+
   it('is refused in words where it cannot be done', () => {
     assert.throws(() => readOptions(['--only', 'speed']), /--only takes scenes, trade, calibration, .*, not speed/);
     assert.throws(() => readOptions(['--quick', '--report']), /need the trade of all scenes/);
