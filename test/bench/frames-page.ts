@@ -3,6 +3,8 @@
  * batch of its work is told, with how long it took.
  */
 import '@ray-scene/core/parts';
+// Bundled pages are without it otherwise, and then scenes at true scale are refused before anybody has looked closely.
+import '../../packages/core/src/words.ts';
 import '../../packages/ray-scene/src/index.ts';
 import { CELL_PIXELS } from '../../packages/ray-scene/src/cells.ts';
 import type { RayScene } from '../../packages/ray-scene/src/element.ts';

@@ -1,5 +1,7 @@
 /** What the bench of what governs the samples does in a page: lets the renderer itself go on until it stops. */
 import '@ray-scene/core/parts';
+// Bundled pages are without it otherwise, and then scenes at true scale are refused before anybody has looked closely.
+import '../../packages/core/src/words.ts';
 import { parseScene, parseSettings, type RenderSettings } from '@ray-scene/core';
 import { AdaptiveOrder } from '../../packages/ray-scene/src/adaptive-order.ts';
 import { RenderDevice, Renderer, type RenderStats, type StopReason } from '../../packages/ray-scene/src/renderer.ts';

@@ -1,5 +1,7 @@
 /** What the bench does in a page: draws a scene, or its floor, into a float target, with the renderer's own parts. */
 import '@ray-scene/core/parts';
+// Bundled pages are without it otherwise, and then scenes at true scale are refused before anybody has looked closely.
+import '../../packages/core/src/words.ts';
 import {
   type CameraFrame,
   cameraFrame,

@@ -1,5 +1,7 @@
 /** A scene on the GPU as one setting draws it, with what the product does not let anyone choose. */
 import '@ray-scene/core/parts';
+// Bundled pages are without it otherwise, and then scenes at true scale are refused before anybody has looked closely.
+import '../../../packages/core/src/words.ts';
 import {
   cameraFrame,
   type EnvironmentImages,
