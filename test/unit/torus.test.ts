@@ -198,7 +198,8 @@ test('what is packed of a torus is a number wherever the camera is', () => {
     for (const s of [2 ** -100, 1, 2 ** 100]) {
       const camera = { position: scale(position, s), target: scale([100, 3, 2], s) };
       const objects = [{ type: 'torus', radius: s, tube: s / 4, checker: 'red', checkerSize: s }];
-      const scene = resolveScene(parseScene({ camera, lights: [lamp], objects }));
+      const lights = [{ type: 'directional' }];
+      const scene = resolveScene(parseScene({ camera, lights, objects }));
       const needed = requirements(scene, { bounces: 3 });
       const floats = new Float32Array(packScene(scene, needed, generateShader(needed).sceneBlock));
       assert.ok(floats.every(Number.isFinite), `${position} ${s}`);

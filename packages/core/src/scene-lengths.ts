@@ -1,6 +1,7 @@
 /**
- * Lengths of a scene that are too far apart, and factors of groups that are too far from 1. Pictures are those of f64 up to this ratio, as measured: next to a planet that
- * is ten times as large, f64 itself would hold where a ball is no better than to a hundredth of the ball.
+ * Lengths of a scene that are too far apart, and factors of groups that are too far from 1. Pictures are those of f64 up to
+ * this ratio, as measured: next to a planet that is ten times as large, f64 itself would hold where a ball is no better than
+ * to a hundredth of the ball.
  */
 import { LARGEST_FACTOR } from './fields.ts';
 import { primitives, type ShapeKind } from './primitives/index.ts';
