@@ -37,16 +37,16 @@ export const featureScenes: { readonly [what: string]: FeatureScene } = {
   'a polished ball': { scene: withBall({ specular: 1, roughness: 0 }), holds: FACETS },
   'a weaker reflection': { scene: withBall({ specular: 0.5 }), holds: [...FACETS, ...ROUGH, 'f90'] },
   'a narrow lobe, and a lamp without size': {
-    scene: withBall({ specular: 1, roughness: 0.2 }),
+    scene: withBall({ specular: 1, roughness: 0.1 }),
     holds: [...FACETS, ...ROUGH, 'glintLobe'],
   },
   'a narrow lobe, and two lamps without size': {
-    scene: { ...withBall({ specular: 1, roughness: 0.2 }), lights: lamps },
+    scene: { ...withBall({ specular: 1, roughness: 0.1 }), lights: lamps },
     holds: [...FACETS, ...ROUGH, 'glintLobe', 'GLINTS = 4', 'chosenEmitter'],
   },
   'a narrow lobe, and no lamp without size': {
     scene: {
-      ...withBall({ specular: 1, roughness: 0.2 }),
+      ...withBall({ specular: 1, roughness: 0.1 }),
       lights: [],
       environment: { color: 'white' },
       background: 'black',
@@ -54,7 +54,7 @@ export const featureScenes: { readonly [what: string]: FeatureScene } = {
     holds: [...FACETS, ...ROUGH, 'environmentRadiance'],
   },
   'a narrow lobe, and paths that end there': {
-    scene: withBall({ specular: 1, roughness: 0.2 }),
+    scene: withBall({ specular: 1, roughness: 0.1 }),
     settings: { bounces: 1 },
     holds: [...FACETS, ...ROUGH],
   },

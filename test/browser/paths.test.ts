@@ -83,7 +83,7 @@ describe('paths on the GPU against the reference', function () {
         { type: 'directional', direction: [-1, -2, -1], intensity: 2 },
       ],
       objects: [
-        { ...ball, roughness: 0.2 },
+        { ...ball, roughness: 0.1 },
         { ...ball, center: [2, -0.5, -1], radius: 0.5, roughness: 0.1, metalness: 1 },
         { ...ball, center: [-2, 0, -1], material: 'glass', roughness: 0.3 },
         floor,

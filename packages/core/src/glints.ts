@@ -27,8 +27,11 @@ export interface Glint {
   readonly strength: number;
 }
 
-/** Wider lobes are found by chance often enough. */
-export const NARROW_ALPHA = 0.1;
+/**
+ * The reflectance over the solid angle of a lobe, π alpha², from which on a glint is looked for: of what is fainter or wider
+ * chance finds enough, in less time. It takes an alpha of 0.13 of a metal, of 0.025 of glass or plastic.
+ */
+const LEAST_PEAK = 20;
 
 /** Pairs beyond these, the weakest, are left to chance. */
 export const MOST_GLINTS = 4;
@@ -90,17 +93,20 @@ const isPointLike = (emitter: Emitter): emitter is PointLike =>
 /** Balls in a space of their own are not among them. */
 const narrowBalls = ({ objects, materials }: ResolvedScene): readonly ResolvedObject[] =>
   objects.filter(({ shape, material: index }) => {
-    const { roughness, metalness, specular, transmission } = materials[index] as Material;
-    const alpha = ggxAlpha(roughness);
-    const reflects = metalness > 0 || specular > 0 || transmission > 0;
-    return shape.type === 'sphere' && !shape.place && reflects && alpha > 0 && alpha <= NARROW_ALPHA;
+    const material = materials[index] as Material;
+    const alpha = ggxAlpha(material.roughness);
+    // As of a white metal, so that a change of colour compiles nothing.
+    const reflectance = average(mix(dielectricReflectance(material).f0, [1, 1, 1], material.metalness));
+    const isNarrow = alpha > 0 && reflectance > 0 && reflectance >= LEAST_PEAK * Math.PI * alpha ** 2;
+    return shape.type === 'sphere' && !shape.place && isNarrow;
   });
+
+const average = ([r, g, b]: Vec3): number => (r + g + b) / 3;
 
 function glintOf({ objects, materials }: ResolvedScene, ball: ResolvedObject, lamp: PointLike, share: number): Glint {
   const { center, radius } = ball.shape as unknown as Shape<'sphere'>;
   const material = materials[ball.material] as Material;
   const { f0 } = dielectricReflectance(material);
-  const [r, g, b] = mix(f0, material.color, material.metalness);
   const way = lamp.kind === 'directional' ? lamp.toLight : subtract(lamp.position, center);
   return {
     object: objects.indexOf(ball),
@@ -109,6 +115,6 @@ function glintOf({ objects, materials }: ResolvedScene, ball: ResolvedObject, la
     alpha: ggxAlpha(material.roughness),
     toLamp: normalize(way),
     nearness: lamp.kind === 'directional' ? 0 : radius / length(way),
-    strength: (share * (r + g + b)) / 3,
+    strength: share * average(mix(f0, material.color, material.metalness)),
   };
 }
