@@ -1,10 +1,10 @@
-import type { Material } from './schema.ts';
+import type { NamedMaterials } from './named-materials.ts';
 
 /**
  * Materials that every scene knows by name; an author's material of the same name goes before these.
  * Metals: linear reflectance at normal incidence from S. Lagarde, "Feeding a physically based shading model" (2011).
  */
-export const builtInMaterials: { readonly [name: string]: Partial<Material> } = {
+export const builtInMaterials: NamedMaterials = {
   mirror: { color: [1, 1, 1], metalness: 1, roughness: 0 },
   gold: { color: [1, 0.766, 0.336], metalness: 1, roughness: 0.2 },
   silver: { color: [0.972, 0.96, 0.915], metalness: 1, roughness: 0.2 },

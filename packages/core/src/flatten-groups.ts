@@ -1,6 +1,5 @@
 /** Takes groups apart: objects and lights where the groups around them put them. */
 import { Affine } from './affine.ts';
-import { builtInMaterials } from './built-in-materials.ts';
 import type { FlatObject, FlatScene } from './flat-scene.ts';
 import { mapShape } from './map-shape.ts';
 import type { Light, Scene, SceneObject } from './schema.ts';
@@ -25,8 +24,7 @@ export function flattenGroups(scene: Scene): FlatScene {
 
 /** Whether the places on an object's surface differ. */
 function isPatterned({ materials }: Scene, { material = '', checker }: SceneObject): boolean {
-  const named = Object.hasOwn(materials, material) ? materials[material] : builtInMaterials[material];
-  return !!(checker ?? named?.checker);
+  return !!(checker ?? (Object.hasOwn(materials, material) && materials[material]?.checker));
 }
 
 /** A shape that is still of its kind is one that says itself where it is; with others goes the map. */

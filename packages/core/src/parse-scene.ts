@@ -1,7 +1,7 @@
 /** Scenes from strangers: JSON text, plain objects or what markup was read into, all through one validator. */
-import { builtInMaterials } from './built-in-materials.ts';
 import { contradiction } from './contradictions.ts';
 import { color, type Fields, Mismatch } from './fields.ts';
+import { knownMaterials } from './named-materials.ts';
 import { primitives } from './primitives/index.ts';
 import { lengthProblems, say } from './say.ts';
 import { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
@@ -102,7 +102,7 @@ class SceneParser {
     } as Scene;
     this.#limit(['lights'], this.#counts.lights, 'lights');
     this.#limit(['objects'], this.#counts.objects, 'objects');
-    this.#tree([], scene.objects, [...Object.keys(scene.materials), ...Object.keys(builtInMaterials)]);
+    this.#tree([], scene.objects, [...Object.keys(scene.materials), ...Object.keys(knownMaterials())]);
     if (scene.objects[0] && UNUSUAL.test(JSON.stringify([scene.camera, scene.lights, scene.objects]))) {
       this.problems.push(...lengthProblems(scene, this.#words.locate, this.problems));
     }

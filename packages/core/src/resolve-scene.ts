@@ -1,10 +1,10 @@
 /** What an author left out gets an answer that looks good, and names become indices: the scene that is rendered. */
-import { builtInMaterials } from './built-in-materials.ts';
 import type { ResolvedCamera } from './camera-frame.ts';
 import type { ImageEnvironment } from './emitters.ts';
 import type { EnvironmentImage } from './environment-image.ts';
 import { type FlatObject, flatScene, type PlacedShape } from './flat-scene.ts';
 import { frameObjects } from './frame-objects.ts';
+import { knownMaterials } from './named-materials.ts';
 import { primitiveOf } from './parts.ts';
 import { primitives, shapeKinds } from './primitives/index.ts';
 import { type Background, type Light, type Material, material, type Scene, type SceneObject } from './schema.ts';
@@ -194,6 +194,6 @@ class MaterialTable {
 
   #named(name: string): Partial<Material> {
     const { materials } = this.#scene;
-    return (Object.hasOwn(materials, name) ? materials[name] : builtInMaterials[name]) ?? {};
+    return (Object.hasOwn(materials, name) ? materials[name] : knownMaterials()[name]) ?? {};
   }
 }
