@@ -15,6 +15,8 @@ import { planeAxes } from '../../packages/core/src/primitives/plane.ts';
 import { torus } from '../../packages/core/src/primitives/torus-shape.ts';
 import { torusDistance, torusLengths, torusNormal } from '../../packages/core/src/reference/shape/torus.ts';
 import { add, addScaled, dot, length, negate, normalize, scale, subtract } from '../../packages/core/src/vector.ts';
+import { numbers } from '../bsdf/random.ts';
+import { grazingRay, offTorus } from '../truth/grazing-torus.ts';
 
 const real = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const triple = fc.tuple(real(-3, 3), real(-3, 3), real(-3, 3));
@@ -55,6 +57,15 @@ test('a hit lies on the torus, nothing of it is before, and the normal is that o
       assert.ok(Math.abs(offSurface({ ...shape, tube: 0 }, inner)) < 1e-11);
     }),
   );
+});
+
+test('a ray that grazes meets the torus where the torus is, or not at all', () => {
+  const random = numbers(1);
+  for (let i = 0; i < 20_000; i++) {
+    const ray = grazingRay(random, 2 ** -53);
+    const off = offTorus(ray, torusDistance(ray.shape, ray, false), 2 ** -53);
+    assert.ok(off < 8, `${JSON.stringify(ray)}: ${off} roundings off`);
+  }
 });
 
 test('turned about its axis, or seen from the other side of it, a torus is the same', () => {

@@ -59,7 +59,8 @@ export function torusDistance(shape: Shape<'torus'>, { origin, direction }: Ray,
   const inside = own ? dot(away, direction) < 0 : length(away) < ring.tube;
   const search = torusSearch(ring, line, torusStationary(quartic), inside, own);
   if (!search) return MISS;
-  const s = torusPowerStep(ring, line, torusPowerStep(ring, line, torusRoot(search, quartic)));
+  const { center } = search;
+  const s = torusPowerStep(ring, line, torusPowerStep(ring, line, torusRoot(search, quartic), center), center);
   // A root that rounding has put behind the start is met at once.
   return Math.max((line.near + (s - line.rest)) / unit, Number.MIN_VALUE);
 }
@@ -84,10 +85,11 @@ function torusAt({ radius, tube }: Ring, { height, climb, level, across }: Line,
   return { power, slope: 2 * (beside * widening + over * climb), quartic: power * (power + 4 * radius * fromAxis) };
 }
 
-/** One step of Newton's method on the power. */
-function torusPowerStep(ring: Ring, line: Line, place: number): number {
+/** One step of Newton's method on the power, no farther than the place is from the stationary point `center`. */
+function torusPowerStep(ring: Ring, line: Line, place: number, center: number): number {
   const { power, slope } = torusAt(ring, line, place);
-  return slope === 0 ? place : place - power / slope;
+  const most = Math.abs(place - center);
+  return slope === 0 ? place : place - Math.min(Math.max(power / slope, -most), most);
 }
 
 /** Enough from where the shader's 3 steps get: each doubles the digits. */
