@@ -23,10 +23,12 @@ BoxFrom boxFromCamera(Box s) {
 }
 
 // Along a slab (d = 0) the quotients are endless, of the same sign outside and of opposite ones inside. A face counts as
-// inside: SMALLEST, which changes no other number, makes an endless one of 0 / 0.
+// inside: SMALLEST makes an endless one of 0 / 0. It must not be there for other rays: one that starts on a face would meet
+// that face again.
 float boxDistance(Box s, BoxFrom from, vec3 d, float own) {
-  vec3 a = (from.low - SMALLEST) / d;
-  vec3 b = (from.high + SMALLEST) / d;
+  vec3 along = SMALLEST * vec3(equal(d, vec3(0.0)));
+  vec3 a = (from.low - along) / d;
+  vec3 b = (from.high + along) / d;
   vec3 entries = min(a, b);
   vec3 exits = max(a, b);
   float entry = max(max(entries.x, entries.y), entries.z);

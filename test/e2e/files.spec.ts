@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { expect, type Page } from '@playwright/test';
-import { picture, test } from './fixtures/watch.ts';
+import { completed, picture, test } from './fixtures/watch.ts';
 
 const DIST = new URL('../../packages/ray-scene/dist/', import.meta.url).pathname;
 const README = readFileSync(new URL('../../README.md', import.meta.url), 'utf8');
@@ -28,6 +28,8 @@ const drawsARedBall = async (page: Page): Promise<void> => {
     element.style.width = '96px';
     Object.assign(element, { samples: 4, pixelRatio: 1 });
   });
+  // Before, there are previews of few pixels.
+  await completed(page);
   expect((await picture(page)).colors).toBeGreaterThan(500);
 };
 
