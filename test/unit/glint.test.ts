@@ -236,7 +236,9 @@ describe('glints in a scene', () => {
       }) as [{ mean: number; variance: number }, { mean: number; variance: number }];
       const error = Math.sqrt(found.variance + chance.variance);
       assert.ok(found.variance < chance.variance);
-      assert.ok(error < 0.05 * chance.mean, `${chance.mean} ± ${error}`);
+      // By chance the lamps in a mirror are met so rarely that more would take minutes.
+      const most = what.startsWith('several') ? 0.04 : 0.01;
+      assert.ok(error < most * chance.mean, `${chance.mean} ± ${error}`);
       assert.ok(Math.abs(found.mean - chance.mean) < 4 * error, `${found.mean} is not ${chance.mean} ± ${error}`);
     });
   }

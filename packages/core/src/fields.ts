@@ -12,6 +12,8 @@ export interface Limits {
   readonly integer?: boolean | undefined;
   /** Not all components 0. */
   readonly nonzero?: boolean | undefined;
+  /** Not a place or a direction, but a way from one place to another. */
+  readonly edge?: boolean | undefined;
   readonly choices?: readonly (string | number)[];
 }
 
@@ -124,6 +126,8 @@ interface VectorOptions<D> extends Options<Vec3, D> {
   readonly nonzero?: boolean;
   /** Refuses components that are not above 0. */
   readonly positive?: boolean;
+  /** A way whose length counts; other vectors that must not be 0 are directions. */
+  readonly edge?: boolean;
 }
 
 /** Three numbers: `[x, y, z]`, or `"x y z"` with blanks or commas between. */
@@ -131,8 +135,8 @@ export function vector<D extends Vec3 | undefined = undefined>(
   doc: string,
   options: VectorOptions<D> = {},
 ): Field<Vec3 | D> {
-  const { nonzero, positive } = options;
-  const limits = { nonzero, above: positive ? 0 : undefined };
+  const { nonzero, positive, edge } = options;
+  const limits = { nonzero, above: positive ? 0 : undefined, edge };
   const expected = new Mismatch(() => say('vector', limits));
   return field('vector', doc, options, {
     read: (value) => {

@@ -3,11 +3,11 @@
  * this ratio, as measured: next to a planet that is ten times as large, f64 itself would hold where a ball is no better than
  * to a hundredth of the ball.
  */
-import { LARGEST_FACTOR } from './fields.ts';
-import { primitives, type ShapeKind } from './primitives/index.ts';
+import { type Field, LARGEST_FACTOR } from './fields.ts';
+import { primitives } from './primitives/index.ts';
 import { say } from './say.ts';
 import type { Locate, Problem } from './scene-error.ts';
-import type { Group, Light, Scene, SceneNode, SceneObject, Shape } from './schema.ts';
+import type { Group, Light, Scene, SceneNode, SceneObject } from './schema.ts';
 import { length, subtract, type Vec3 } from './vector.ts';
 
 /** How many times another one a length of the same scene may be. */
@@ -26,21 +26,6 @@ const NOTHING: Measured = { path: [], least: Number.POSITIVE_INFINITY, most: 0 }
 
 /** What lengths are multiplied by, along the axis where that is least and where it is most. */
 type Factors = readonly [least: number, most: number];
-
-/** How large a shape is, in every respect in which it has a size. */
-const sizes: { readonly [K in ShapeKind]: (shape: Shape<K>) => readonly number[] } = {
-  sphere: ({ radius }) => [radius],
-  plane: () => [],
-  disc: ({ radius }) => [radius],
-  quad: ({ edgeU, edgeV }) => [length(edgeU), length(edgeV)],
-  box: ({ size }) => size,
-  cylinder: ({ base, top, radius }) => [distance(base, top), radius],
-  cone: ({ base, tip, radius }) => [distance(base, tip), radius],
-  torus: ({ radius, tube }) => [radius, tube],
-  triangle: ({ a, b, c }) => [distance(a, b), distance(b, c), distance(c, a)],
-};
-
-const distance = (a: Vec3, b: Vec3): number => length(subtract(b, a));
 
 /**
  * What is wrong with the factors of groups and, if nothing else is (`known`), with the smallest size and the largest length
@@ -107,11 +92,23 @@ const measured = (path: Path, own: readonly number[], places: readonly Vec3[], [
   most: most * Math.max(0, ...own, ...places.map(length)),
 });
 
-const sizesOf = (object: SceneObject): readonly number[] =>
-  (sizes[object.type] as (shape: SceneObject) => readonly number[])(object);
+/** An object's fields of a kind of value, as its table has them. */
+const valuesOf = <T>(object: SceneObject, is: (field: Field<unknown>) => boolean): readonly T[] =>
+  Object.entries(primitives[object.type].fields)
+    .filter(([, field]) => is(field))
+    .map(([name]) => object[name as keyof SceneObject] as unknown as T);
 
 /** Vectors that are neither directions nor sizes. */
 const placesOf = (object: SceneObject): readonly Vec3[] =>
-  Object.entries(primitives[object.type].fields)
-    .filter(([, { kind, limits }]) => kind === 'vector' && !limits.nonzero && limits.above === undefined)
-    .map(([name]) => object[name as keyof SceneObject] as unknown as Vec3);
+  valuesOf(object, ({ kind, limits }) => kind === 'vector' && !limits.nonzero && limits.above === undefined);
+
+/** How large an object is, in every respect in which it has a size: all numbers of a shape are lengths. */
+function sizesOf(object: SceneObject): readonly number[] {
+  const places = placesOf(object);
+  return [
+    ...valuesOf<number>(object, ({ kind }) => kind === 'number'),
+    ...valuesOf<Vec3>(object, ({ kind, limits }) => kind === 'vector' && limits.above !== undefined).flat(),
+    ...valuesOf<Vec3>(object, ({ limits }) => !!limits.edge).map(length),
+    ...places.flatMap((place, i) => places.slice(i + 1).map((other) => length(subtract(other, place)))),
+  ];
+}

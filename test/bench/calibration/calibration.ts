@@ -2,8 +2,9 @@
  * `npm run bench -- --only calibration`: whether pictures know their noise. Every example, by both integrators, and every
  * scene of the truth is drawn many times with other random numbers.
  *
- * What counts was decided without looking at what was estimated: scenes of finite variance, which are those whose tail
- * index (`tailIndex`) is above 2. The others are told as well.
+ * What counts are scenes of finite variance: those whose tail index (`tailIndex`) is above 2, which is told by the true
+ * errors alone. All rows are told, those that do not count as well. A very rare event that no picture of a row met is not in
+ * its tail index either.
  */
 import type { BenchBrowser } from '../browser-pages.ts';
 import { type BenchSubject, gallerySubjects, truthSubjects } from './subjects.ts';

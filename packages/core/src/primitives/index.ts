@@ -1,7 +1,6 @@
 /**
  * The closed list of primitives: what an author may say of them. A kind added here is missed by the compiler wherever it is
- * not yet handled. What else the engine must know of a kind comes with
- * `more-parts.ts`.
+ * not yet handled. What else the engine must know of a kind comes with `more-parts.ts`.
  */
 import { boxTable } from './box.ts';
 import { coneTable } from './cone.ts';
