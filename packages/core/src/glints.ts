@@ -28,10 +28,11 @@ export interface Glint {
 }
 
 /**
- * The reflectance over the solid angle of a lobe, π alpha², from which on a glint is looked for: of what is fainter or wider
- * chance finds enough, in less time. It takes an alpha of 0.13 of a metal, of 0.025 of glass or plastic.
+ * The reflectance over the solid angle of a lobe, π alpha², from which on a glint is looked for: an alpha up to 0.33 of a
+ * metal, to 0.065 of glass or plastic. There the variance of a path from a floor beside the ball is a quarter of what it is
+ * by chance, for up to twice the time.
  */
-const LEAST_PEAK = 20;
+const LEAST_PEAK = 3;
 
 /** Pairs beyond these, the weakest, are left to chance. */
 export const MOST_GLINTS = 4;

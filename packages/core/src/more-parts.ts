@@ -17,6 +17,7 @@ import sphereInside from '../../../shaders/shape/sphere-inside.glsl';
 import sphereThrough from '../../../shaders/shape/sphere-through.glsl';
 import sphereWide from '../../../shaders/shape/sphere-wide.glsl';
 import torusGlsl from '../../../shaders/shape/torus.glsl';
+import torusQuarticGlsl from '../../../shaders/shape/torus-quartic.glsl';
 import triangleGlsl from '../../../shaders/shape/triangle.glsl';
 import splitDot from '../../../shaders/split-dot.glsl';
 import varyingsVertex from '../../../shaders/varyings.vert.glsl';
@@ -69,6 +70,7 @@ registerParts({
     'shape/sphere-inside.glsl': sphereInside,
     'shape/sphere-through.glsl': sphereThrough,
     'shape/sphere-wide.glsl': sphereWide,
+    'shape/torus-quartic.glsl': torusQuarticGlsl,
     'shape/torus.glsl': torusGlsl,
     'shape/triangle.glsl': triangleGlsl,
     'split-dot.glsl': splitDot,
