@@ -28,11 +28,11 @@ export interface Glint {
 }
 
 /**
- * The reflectance over the solid angle of a lobe, π alpha², from which on a glint is looked for: an alpha up to 0.33 of a
- * metal, to 0.065 of glass or plastic. There the variance of a path from a floor beside the ball is a quarter of what it is
+ * The reflectance over the solid angle of a lobe, π alpha², from which on a glint is looked for: an alpha up to 0.23 of a
+ * metal, to 0.046 of glass or plastic. There the variance of a path from a floor beside the ball is a quarter of what it is
  * by chance, for up to twice the time.
  */
-const LEAST_PEAK = 3;
+const LEAST_PEAK = 6;
 
 /** Pairs beyond these, the weakest, are left to chance. */
 export const MOST_GLINTS = 4;
