@@ -1,5 +1,5 @@
 // A Playwright reporter that counts the tests of each engine.
-import { noTests, reportCounts } from './counts.mjs';
+import { failureLine, noTests, reportCounts } from './counts.mjs';
 
 const KEYS = { expected: 'passed', unexpected: 'failed', flaky: 'failed', skipped: 'skipped' };
 
@@ -11,9 +11,15 @@ export default class EndToEndCounts {
   onEnd() {
     for (const project of this.suite?.suites ?? []) {
       const counts = noTests();
-      for (const test of project.allTests()) counts[KEYS[test.outcome()]]++;
+      const failures = [];
+      for (const test of project.allTests()) {
+        const key = KEYS[test.outcome()];
+        counts[key]++;
+        const why = test.results.find(({ error }) => error)?.error?.message;
+        if (key === 'failed') failures.push(failureLine(test.titlePath().filter(Boolean).join(', '), why));
+      }
       const group = `e2e ${project.title}`;
-      reportCounts(group, counts);
+      reportCounts(group, counts, failures);
       console.log(`${group}: ${counts.passed} passed, ${counts.failed} failed, ${counts.skipped} skipped`);
     }
   }

@@ -11,7 +11,7 @@ import { installBrowsers } from './install-browsers.mjs';
 const full = process.argv.includes('--full');
 if (full) process.env.RAY_SCENE_FULL = '1';
 
-/** @type {{ name: string, seconds?: number, passed: number, failed: number, skipped: number }[]} */
+/** @type {{ name: string, seconds?: number, passed: number, failed: number, skipped: number, failures?: string[] }[]} */
 const rows = [];
 
 /** What the runners reported to counts.mjs, and a failure for each group that is missing or empty. */
@@ -70,6 +70,14 @@ function printTable() {
   }
 }
 
+/** At the very end, where the last lines of a long log have it. */
+function printFailures() {
+  for (const { name, failed, failures = [] } of rows) {
+    if (failed > 0 && failures.length === 0) console.log(`✖ ${name}`);
+    for (const line of failures) console.log(`✖ ${name}: ${line}`);
+  }
+}
+
 installPackages();
 step('check');
 step('test:unit', ['unit']);
@@ -80,4 +88,6 @@ printTable();
 const total = (key) => rows.reduce((sum, row) => sum + row[key], 0);
 const [passed, failed] = [total('passed'), total('failed')];
 process.exitCode = failed > 0 || passed === 0 ? 1 : 0;
-console.log(`\n${passed} passed, ${failed} failed`);
+console.log();
+printFailures();
+console.log(`${passed} passed, ${failed} failed`);

@@ -4,7 +4,7 @@ import { readdirSync, statSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { run } from 'node:test';
 import { inspect, parseArgs } from 'node:util';
-import { noTests, reportCounts } from '../counts.mjs';
+import { failureLine, noTests, reportCounts } from '../counts.mjs';
 
 const { values, positionals } = parseArgs({
   options: { group: { type: 'string', default: 'unit' } },
@@ -17,8 +17,11 @@ function testFiles(path) {
   return names.sort().map((name) => resolve(join(path, name)));
 }
 
+const failures = [];
+
 function fail(counts, { name, file }, why) {
   counts.failed++;
+  failures.push(failureLine(`${relative('.', file)}, ${name}`, why));
   console.error(`\n✖ ${name === file ? '' : `${name}, `}${relative('.', file)}\n${why}`);
 }
 
@@ -50,6 +53,6 @@ for await (const { type, data } of run({ files: positionals.flatMap(testFiles), 
   else if (type === 'test:diagnostic' && !isTotal(data.message)) console.log(data.message);
 }
 
-reportCounts(values.group, counts);
+reportCounts(values.group, counts, failures);
 console.log(`${values.group}: ${counts.passed} passed, ${counts.failed} failed, ${counts.skipped} skipped`);
 if (counts.failed > 0 || counts.passed === 0) process.exitCode = 1;
