@@ -1,8 +1,8 @@
-import { expect, waitUntil } from '@open-wc/testing';
+import { expect } from '@open-wc/testing';
 import type { ResolvedCamera } from '@ray-scene/core';
 import { sendKeys, sendMouse } from '@web/test-runner-commands';
 import type { RayScene } from '../../packages/ray-scene/src/index.ts';
-import { canvasIn, nextFrame, partOf, sceneWith, someFrames } from './element-fixtures.ts';
+import { canvasIn, partOf, sceneWith, someFrames, until } from './element-fixtures.ts';
 
 const CONTENT = '<ray-camera position="0 0 5"></ray-camera><ray-sphere></ray-sphere>';
 
@@ -44,7 +44,7 @@ describe('camera-controls', () => {
     await sendKeys({ press: 'Shift+ArrowLeft' });
     expect(cameraOf(element).target[0]).to.be.below(-0.1);
     await sendKeys({ press: 'Home' });
-    await nextFrame();
+    await until(() => cameraOf(element).position[0] === 0);
     expect(cameraOf(element).position).to.deep.equal([0, 0, 5]);
     expect(partOf(element, 'ray-camera').position).to.deep.equal([0, 0, 5]);
   });
@@ -117,8 +117,7 @@ describe('camera-controls', () => {
     expect(cameraOf(element)).to.deep.include({ position: [0, 0, 5], fov: 30 });
     element.camera = { fov: 60 };
     element.resetCamera();
-    await someFrames();
-    expect(cameraOf(element).fov).to.equal(30);
+    await until(() => cameraOf(element).fov === 30);
   });
 
   it('may be set up before there is a picture', async () => {
@@ -156,7 +155,7 @@ describe('auto-rotate', () => {
 
   it('walks around the scene, but not while paused', async () => {
     const element = await controlled('auto-rotate');
-    await waitUntil(() => cameraOf(element).position[0] > 0.01);
+    await until(() => cameraOf(element).position[0] > 0.01);
     expect(distance(cameraOf(element))).to.be.closeTo(5, 1e-9);
     element.paused = true;
     await someFrames();

@@ -1,4 +1,4 @@
-import { expect, oneEvent, waitUntil } from '@open-wc/testing';
+import { expect, oneEvent } from '@open-wc/testing';
 import { builtInMaterials, SceneError } from '@ray-scene/core';
 import { type RayScene, type RaySceneErrorEvent, sceneElements } from '../../packages/ray-scene/src/index.ts';
 import {
@@ -10,6 +10,7 @@ import {
   rejection,
   sceneWith,
   someFrames,
+  until,
 } from './element-fixtures.ts';
 
 const takes = (tag: keyof typeof sceneElements): string => sceneElements[tag].observedAttributes.join(', ');
@@ -190,7 +191,7 @@ describe('errors of <ray-scene>', () => {
     sphere.removeAttribute('radius');
     await element.ready;
     expect(loads.count).to.equal(1);
-    await waitUntil(() => overlayOf(element) === undefined);
+    await until(() => overlayOf(element) === undefined);
     expect(element.scene?.objects).to.have.lengthOf(2);
   });
 

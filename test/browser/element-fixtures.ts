@@ -28,6 +28,20 @@ export async function someFrames(count = 3): Promise<void> {
   for (let i = 0; i < count; i++) await nextFrame();
 }
 
+/** Waits until something holds, for as long as the test may take: how fast this machine is, is not what is tested. */
+export async function until(holds: () => unknown): Promise<void> {
+  while (!holds()) await new Promise((resolve) => setTimeout(resolve, 10));
+}
+
+/** Waits until an element shows no more progress. */
+export async function untilAtRest(element: EventTarget): Promise<void> {
+  const progress = countEvents(element, 'progress');
+  do {
+    progress.count = 0;
+    await someFrames(5);
+  } while (progress.count > 0);
+}
+
 /** Counts how often an event of an element comes. */
 export function countEvents(element: EventTarget, type: string): { count: number } {
   const counter = { count: 0 };

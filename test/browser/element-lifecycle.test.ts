@@ -1,7 +1,16 @@
-import { expect, fixture, oneEvent, waitUntil } from '@open-wc/testing';
+import { expect, fixture, oneEvent } from '@open-wc/testing';
 import { type RayScene, type RaySceneCompleteEvent, RaySceneLoadEvent } from '../../packages/ray-scene/src/index.ts';
 import { RenderDevice } from '../../packages/ray-scene/src/renderer.ts';
-import { canvasIn, countEvents, middlePixel, partOf, sceneWith, someFrames } from './element-fixtures.ts';
+import {
+  canvasIn,
+  countEvents,
+  middlePixel,
+  partOf,
+  sceneWith,
+  someFrames,
+  until,
+  untilAtRest,
+} from './element-fixtures.ts';
 
 const BALL = '<ray-sphere color="red"></ray-sphere>';
 
@@ -34,7 +43,7 @@ describe('life of <ray-scene>', () => {
     element.style.width = '192px';
     const heard: { readonly told: number; readonly least: number | undefined }[] = [];
     element.addEventListener('progress', ({ samples }) => heard.push({ told: samples, least: element.stats?.samples }));
-    await waitUntil(() => heard.some(({ told, least }) => least && told > least + 1), undefined, { timeout: 20_000 });
+    await until(() => heard.some(({ told, least }) => least && told > least + 1));
   });
 
   it('renews its promises with every edit', async () => {
@@ -73,9 +82,9 @@ describe('life of <ray-scene>', () => {
     const pixels = (length: number): number => Math.round(length * devicePixelRatio);
     expect([canvasIn(element).width, canvasIn(element).height]).to.deep.equal([pixels(60), pixels(40)]);
     Object.assign(element.style, { width: '30px', aspectRatio: '1' });
-    await waitUntil(() => canvasIn(element).width === pixels(30) && canvasIn(element).height === pixels(30));
+    await until(() => canvasIn(element).width === pixels(30) && canvasIn(element).height === pixels(30));
     element.pixelRatio = 2;
-    await waitUntil(() => canvasIn(element).width === 60);
+    await until(() => canvasIn(element).width === 60);
     expect(element.stats).to.include({ width: 60, height: 60 });
   });
 
@@ -86,7 +95,7 @@ describe('life of <ray-scene>', () => {
     await element.ready;
     there.append(element);
     await element.ready;
-    await waitUntil(() => (element.stats?.samples ?? 0) > 0);
+    await until(() => (element.stats?.samples ?? 0) > 0);
     element.remove();
     expect(element.stats).to.equal(undefined);
     expect(middlePixel(element)[3]).to.equal(255);
@@ -104,17 +113,12 @@ describe('life of <ray-scene>', () => {
     const element = await sceneWith(BALL, 'samples="1000000"');
     await element.ready;
     element.style.display = 'none';
-    await someFrames(5);
+    await untilAtRest(element);
     const progress = countEvents(element, 'progress');
-    await someFrames(5);
-    expect(progress.count).to.equal(0);
     element.style.display = '';
-    await waitUntil(() => progress.count > 0);
+    await until(() => progress.count > 0);
     element.paused = true;
-    await someFrames();
-    progress.count = 0;
-    await someFrames(5);
-    expect(progress.count).to.equal(0);
+    await untilAtRest(element);
     Object.assign(element, { paused: false, samples: 1 });
     await element.complete;
     progress.count = 0;

@@ -1,8 +1,8 @@
-import { expect, waitUntil } from '@open-wc/testing';
+import { expect } from '@open-wc/testing';
 import { sendMouse } from '@web/test-runner-commands';
 import type { RayScene } from '../../packages/ray-scene/src/index.ts';
 import { ObjectEvents } from '../../packages/ray-scene/src/object-events.ts';
-import { canvasIn, sceneWith } from './element-fixtures.ts';
+import { canvasIn, sceneWith, until } from './element-fixtures.ts';
 
 const LEFT = '<ray-sphere id="left" center="-1 0 0" radius="0.5"></ray-sphere>';
 const RIGHT = '<ray-sphere id="right" center="1 0 0" radius="0.5"></ray-sphere>';
@@ -93,7 +93,7 @@ describe('pointer events', () => {
     const element = await drawn();
     const seen = listen(element, 'click');
     await sendMouse({ type: 'click', position: rounded(at(element, BALL, 0)) });
-    await waitUntil(() => seen.length > 0);
+    await until(() => seen.length > 0);
     expect(seen).to.deep.equal(['click right']);
     await sendMouse({ type: 'click', position: rounded(at(element, -BALL, 0)) });
     await sendMouse({ type: 'click', position: rounded(at(element, 0, 0)) });
@@ -137,7 +137,7 @@ describe('pointer events', () => {
     await import('../../packages/ray-scene/src/camera-controls.ts');
     const [x, y] = rounded(at(element, 0, 0));
     await sendMouse({ type: 'click', position: [x, y] });
-    await waitUntil(() => seen.length > 0);
+    await until(() => seen.length > 0);
     await sendMouse({ type: 'down' });
     await sendMouse({ type: 'move', position: [x + 8, y] });
     await sendMouse({ type: 'up' });

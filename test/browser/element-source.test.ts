@@ -1,6 +1,6 @@
-import { expect, oneEvent, waitUntil } from '@open-wc/testing';
+import { expect, oneEvent } from '@open-wc/testing';
 import { parseScene, type SceneError } from '@ray-scene/core';
-import { countEvents, partOf, QuietConsole, rejection, sceneWith, someFrames } from './element-fixtures.ts';
+import { countEvents, partOf, QuietConsole, rejection, sceneWith, someFrames, until } from './element-fixtures.ts';
 
 const named = (name: string) => JSON.stringify({ name, objects: [{ type: 'sphere' }] });
 const addressOf = (text: string) => URL.createObjectURL(new Blob([text], { type: 'application/json' }));
@@ -117,9 +117,9 @@ describe('sources of <ray-scene>', () => {
     it('aborts what is replaced, and ignores its answer', async () => {
       const quiet = new QuietConsole();
       const element = await sceneWith('', 'src="first.json"');
-      await waitUntil(() => answers.length === 1);
+      await until(() => answers.length === 1);
       element.src = 'second.json';
-      await waitUntil(() => answers.length === 2);
+      await until(() => answers.length === 2);
       expect(answers[0]?.init?.signal?.aborted).to.equal(true);
       answers[1]?.answer(named('second'));
       answers[0]?.answer(named('first'));
@@ -132,7 +132,7 @@ describe('sources of <ray-scene>', () => {
 
     it('gives up an address when a scene is assigned', async () => {
       const element = await sceneWith('', 'src="first.json"');
-      await waitUntil(() => answers.length === 1);
+      await until(() => answers.length === 1);
       element.scene = { name: 'assigned' };
       await element.ready;
       expect(answers[0]?.init?.signal?.aborted).to.equal(true);
@@ -141,10 +141,10 @@ describe('sources of <ray-scene>', () => {
 
     it('sends cookies to other origins only when told to', async () => {
       const element = await sceneWith('', 'src="https://example.org/scene.json"');
-      await waitUntil(() => answers.length === 1);
+      await until(() => answers.length === 1);
       expect(answers[0]?.init?.credentials).to.equal('same-origin');
       element.setAttribute('crossorigin', 'use-credentials');
-      await waitUntil(() => answers.length === 2);
+      await until(() => answers.length === 2);
       expect(answers[1]?.init?.credentials).to.equal('include');
     });
 
@@ -153,7 +153,7 @@ describe('sources of <ray-scene>', () => {
       await someFrames(5);
       expect(answers).to.have.lengthOf(0);
       element.hidden = false;
-      await waitUntil(() => answers.length === 1);
+      await until(() => answers.length === 1);
       expect(answers[0]?.url).to.equal(new URL('lazy.json', document.baseURI).href);
     });
 
@@ -166,6 +166,7 @@ describe('sources of <ray-scene>', () => {
       element.ready.then(() => {
         isReady = true;
       });
+      await until(() => answers.length === 1);
       await someFrames(5);
       expect(isReady).to.equal(false);
       expect(element.scene?.objects).to.have.lengthOf(1);

@@ -1,10 +1,19 @@
 // Images that a scene names: they are asked for once, waited for, and what is wrong with them is told.
 import '@ray-scene/core/parts';
-import { expect, oneEvent, waitUntil } from '@open-wc/testing';
+import { expect, oneEvent } from '@open-wc/testing';
 import { readRadianceImage, SceneError } from '@ray-scene/core';
 import { relativeDifference, renderReference } from '@ray-scene/core/reference';
 import type { RayScene, RaySceneErrorEvent } from '../../packages/ray-scene/src/index.ts';
-import { countEvents, overlayOf, partOf, QuietConsole, rejection, sceneWith, someFrames } from './element-fixtures.ts';
+import {
+  countEvents,
+  overlayOf,
+  partOf,
+  QuietConsole,
+  rejection,
+  sceneWith,
+  someFrames,
+  until,
+} from './element-fixtures.ts';
 
 const WINDOW = new URL('../../examples/images/window.hdr', import.meta.url).href;
 const ball = '<ray-sphere></ray-sphere>';
@@ -54,7 +63,7 @@ describe('images of <ray-scene>', () => {
     });
 
     const request = async (number: number) => {
-      await waitUntil(() => asked.length > number);
+      await until(() => asked.length > number);
       return asked[number] as (typeof asked)[number];
     };
 
