@@ -18,11 +18,7 @@ vec4 firstSurface() {
   Parts scene = loadParts();
   vec3 p;
   vec3 d;
-#ifdef LENS
-  cameraRay(sample2d(pixelSampler(eye.sequence, eye.reversed), 0u), p, d);
-#else
-  cameraRay(p, d);
-#endif
+  cameraRay(pixelSampler(eye.sequence, eye.reversed), p, d);
 #if defined(LENS) || defined(DISTANT)
   From from = fromPoint(scene, p, NOTHING);
 #else

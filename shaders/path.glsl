@@ -96,11 +96,7 @@ vec4 path() {
   Sampler random = pixelSampler(eye.sequence, eye.reversed);
   vec3 p;
   vec3 d;
-#ifdef LENS
-  cameraRay(sample2d(random, 0u), p, d);
-#else
-  cameraRay(p, d);
-#endif
+  cameraRay(random, p, d);
 #if defined(LENS) || defined(DISTANT)
   From from = fromPoint(scene, p, NOTHING);
 #else

@@ -1,5 +1,5 @@
 /** Draws with a shader of `floors/`: both stages are in one file, see the head of `floors/classic.frag`. */
-import type { CameraFrame } from '@ray-scene/core';
+import { type CameraFrame, pixelSample, type SampleNumber } from '@ray-scene/core';
 import { addScaled, scale } from '../../packages/core/src/vector.ts';
 import { Program } from '../../packages/ray-scene/src/program.ts';
 
@@ -18,16 +18,16 @@ export class FloorTracer {
   }
 
   /** Draws one sample of every pixel into the bound framebuffer. */
-  draw({ origin, corner, stepX, stepY, width, height }: CameraFrame): void {
+  draw({ origin, corner, stepX, stepY, width, height }: CameraFrame, { sample, seed }: SampleNumber): void {
     const gl = this.#gl;
     const [right, up] = [scale(stepX, width / 2), scale(stepY, height / 2)];
     this.#program.use();
     gl.uniform3fv(this.#program.uniform('origin'), origin);
     gl.uniform3fv(this.#program.uniform('right'), right);
     gl.uniform3fv(this.#program.uniform('up'), up);
-    // The sample's place in the pixel is in `corner` already, and so in the middle of the window.
     gl.uniform3fv(this.#program.uniform('forward'), addScaled(addScaled(corner, right, 1), up, 1));
-    gl.uniform2f(this.#program.uniform('jitter'), 0.5, 0.5);
+    const [x, y] = pixelSample(sample, seed);
+    gl.uniform2f(this.#program.uniform('jitter'), x, 1 - y);
     gl.uniform2f(this.#program.uniform('resolution'), width, height);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }

@@ -7,7 +7,6 @@ import {
   cameraFrame,
   generateShader,
   parseScene,
-  pixelSample,
   type ResolvedScene,
   requirements,
   resolveScene,
@@ -68,8 +67,8 @@ class Picture {
   draw(samples: number): void {
     const { width, height } = this.#accumulation;
     this.#accumulation.clear();
+    const frame = cameraFrame(this.#scene.camera, width, height);
     for (let i = 0; i < samples; i++) {
-      const frame = cameraFrame(this.#scene.camera, width, height, pixelSample(i, 0));
       this.#accumulation.add(() => this.#drawable.draw(frame, { sample: i, seed: 0 }));
     }
     this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.FLOAT, this.#pixel);

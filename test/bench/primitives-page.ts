@@ -6,7 +6,6 @@ import '@ray-scene/core/parts';
 import {
   cameraFrame,
   parseScene,
-  pixelSample,
   type ResolvedScene,
   requirements,
   resolveScene,
@@ -75,9 +74,9 @@ class Picture {
   draw(samples: number): void {
     const { width, height } = this.#target;
     this.#target.clear();
+    const frame = cameraFrame(this.#scene.camera, width, height);
     for (let i = 0; i < samples; i++) {
-      const frame = cameraFrame(this.#scene.camera, width, height, pixelSample(i, 0));
-      this.#target.add(() => this.#tracer.draw(frame));
+      this.#target.add(() => this.#tracer.draw(frame, { sample: i, seed: 0 }));
     }
     const { gl } = this.#device;
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, this.#pixel);

@@ -18,6 +18,8 @@ describe('random numbers', () => {
       [2, 7, 1],
       [4095, 0xffffffff, 258],
       [2 ** 20 - 1, 123456789, 17],
+      // That of places in the pixel.
+      [5, 3, 0xffffffff],
     ] as const) {
       const numbers = `pixelSampler(${sequenceSeed(sample, seed)}u, ${reverseBits(sample >>> 1)}u)`;
       const source = fillSource(`vec4(sample2d(${numbers}, ${set}u), 0.0, 1.0)`);

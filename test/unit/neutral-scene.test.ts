@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { parseScene, type Vec3 } from '@ray-scene/core';
 import { renderReference } from '@ray-scene/core/reference';
 import fc from 'fast-check';
-import { pixelSample } from '../../packages/core/src/random.ts';
+import { ownPlace, pixelSampler } from '../../packages/core/src/random.ts';
 import { add, addScaled, cross, dot, length, normalize, scale, subtract } from '../../packages/core/src/vector.ts';
 import type {
   NeutralCamera,
@@ -160,10 +160,10 @@ test('a floor under lamps is as bright as the description says, pixel by pixel',
         const { lights } = scene as { readonly lights: readonly object[] };
         return renderReference(parseScene({ ...scene, lights: [lights[i]] }), settings).data;
       });
-      const [jitterX, jitterY] = pixelSample(0, settings.seed);
       for (let pixel = 0; pixel < width * height; pixel++) {
         const [column, row] = [pixel % width, Math.floor(pixel / width)];
-        const { origin, direction } = rayOf(neutral.camera, width, height, column + jitterX, row + jitterY);
+        const [right, down] = ownPlace(pixelSampler(column, height - 1 - row, 0, settings.seed));
+        const { origin, direction } = rayOf(neutral.camera, width, height, column + right, row + down);
         const t = -origin[1] / direction[1];
         const p = addScaled(origin, direction, t);
         const floor = objects[0] as NeutralObject;

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { pixelSample } from '@ray-scene/core';
 import fc from 'fast-check';
-import { hash, pixelSampler, sample2d } from '../../packages/core/src/random.ts';
+import { hash, ownPlace, pixelSampler, sample2d } from '../../packages/core/src/random.ts';
 
 test('the hash is PCG: values worked out by hand from its definition', () => {
   // BigInt arithmetic modulo 2³², step by step as the paper writes it.
@@ -48,6 +48,25 @@ test('so is each of the padded sequences of a pixel', () => {
       for (let a = 0; a <= m; a++) {
         const boxes = new Set(points.map(([u, v]) => `${Math.floor(u * 2 ** a)},${Math.floor(v * 2 ** (m - a))}`));
         assert.equal(boxes.size, 2 ** m);
+      }
+    }),
+  );
+});
+
+test('so are the places of the samples in a pixel that has its own; those of its neighbours are other ones', () => {
+  const anywhere = fc.nat({ max: 8191 });
+  fc.assert(
+    fc.property(anywhere, anywhere, fc.integer({ min: 1, max: 8 }), fc.constantFrom(0, 1), (x, y, m, half) => {
+      const points = Array.from({ length: 2 ** m }, (_, i) => ownPlace(pixelSampler(x, y, 2 * i + half, 1)));
+      for (let a = 0; a <= m; a++) {
+        const boxes = new Set(points.map(([u, v]) => `${Math.floor(u * 2 ** a)},${Math.floor(v * 2 ** (m - a))}`));
+        assert.equal(boxes.size, 2 ** m);
+      }
+      for (const [right, up] of [
+        [1, 0],
+        [0, 1],
+      ] as const) {
+        assert.notDeepEqual(ownPlace(pixelSampler(x + right, y + up, half, 1)), points[0]);
       }
     }),
   );

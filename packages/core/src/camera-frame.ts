@@ -52,16 +52,8 @@ export function cameraAxes({ position, target, up }: ResolvedCamera): { right: V
   return { right, up: cross(right, forward), forward };
 }
 
-/**
- * Rays for one sample: `jitter` is the sample's place in every pixel, [0, 1)², x to the right and y down; pixel centres
- * are at [½, ½].
- */
-export function cameraFrame(
-  camera: ResolvedCamera,
-  width: number,
-  height: number,
-  jitter: readonly [number, number] = [0.5, 0.5],
-): CameraFrame {
+/** The rays of a camera whose window has so many pixels. */
+export function cameraFrame(camera: ResolvedCamera, width: number, height: number): CameraFrame {
   const axes = cameraAxes(camera);
   const toTarget = length(subtract(camera.target, camera.position));
   const halfHeight = Math.tan((camera.fov * Math.PI) / 360);
@@ -69,7 +61,7 @@ export function cameraFrame(
   const viewHeight = orthographic ? (camera.height ?? 2 * halfHeight * toTarget) : 2 * halfHeight;
   const stepX = scale(axes.right, viewHeight / height);
   const stepY = scale(axes.up, viewHeight / height);
-  const fromCenter = add(scale(stepX, jitter[0] - 0.5 - width / 2), scale(stepY, 0.5 - jitter[1] - height / 2));
+  const fromCenter = add(scale(stepX, -width / 2), scale(stepY, -height / 2));
   const { aperture = 0, focusDistance = toTarget } = camera;
   const hasLens = aperture > 0 && !orthographic;
   return {

@@ -29,6 +29,8 @@ export const features = [
   // The integrator `path`, or what `direct` becomes where light is more than points and surfaces more than mirrors:
   'path',
   'whitted',
+  // All pixels have a sample at the same place, where paths have places of their own.
+  'sharedPlace',
   'rough',
   'smooth',
   'transmission',

@@ -1,10 +1,11 @@
 /** Scene and requirements to the bytes of the two uniform blocks: `Scene` (also when the camera moves) and `View`. */
-import type { CameraFrame } from './camera-frame.ts';
+import { type CameraFrame, rayDirection } from './camera-frame.ts';
 import { type Frame, powerOfTwoBelow, toFrame } from './frame.ts';
 import { type DirectKind, directionToLight, directKinds, lightRecords, packLight } from './light-records.ts';
 import { materialRecord, packMaterial } from './material-record.ts';
 import { moreParts, pathParts, primitiveOf, primitiveOfKind } from './parts.ts';
 import { shapeKinds } from './primitives/index.ts';
+import { pixelSample } from './random.ts';
 import { placedCount, type Requirements } from './requirements.ts';
 import type { ResolvedScene } from './resolve-scene.ts';
 import { frameOrigin } from './scene-needs.ts';
@@ -151,10 +152,17 @@ export function packView(
   const writer = new BlockWriter(block);
   const has = (member: string): boolean => !!block.entries[0]?.struct.members.some(({ name }) => name === member);
   // The first parts of vectors by themselves, or with what is left of them.
-  const eye = packEye(view, has('corner2'));
-  writer.write('eye', 0, { ...eye, ...(has('sequence') ? pathParts().packEye(view, frame, sample) : {}) });
+  const paths = has('sequence');
+  const eye = packEye(paths ? view : movedTo(pixelSample(sample.sample, sample.seed), view), has('corner2'));
+  writer.write('eye', 0, { ...eye, ...(paths ? pathParts().packEye(view, frame, sample) : {}) });
   return writer.bytes;
 }
+
+/** With the centres of pixels where one place of all pixels was: [0, 1)², x to the right, y down. */
+const movedTo = ([x, y]: readonly [number, number], view: CameraFrame): CameraFrame => ({
+  ...view,
+  corner: rayDirection(view, x - 0.5, 0.5 - y),
+});
 
 class BlockWriter {
   readonly bytes: ArrayBuffer;

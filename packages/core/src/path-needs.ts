@@ -9,7 +9,7 @@ import { primitiveOf } from './parts.ts';
 import { rayStart } from './ray-start.ts';
 import { hasChecker } from './requirements.ts';
 import { isEmissive, type ResolvedObject, type ResolvedScene } from './resolve-scene.ts';
-import type { SceneNeeds, Tracing } from './scene-needs.ts';
+import { isSurfaceOutput, type SceneNeeds, type Tracing } from './scene-needs.ts';
 import type { Material } from './schema.ts';
 
 export function pathNeeds(
@@ -70,6 +70,7 @@ export function pathFeatures({ bounces, shapes, placed, emitters, features: give
   for (const detail of ['specularTint', 'specularWeight'] as const) set(detail, has(detail) && has('specular'));
   set('reflective', has('metal') || has('specular') || has('transmission'));
   set('shadows', emitters > 0);
+  set('sharedPlace', has('whitted') || [...present].some(isSurfaceOutput));
   set('severalEmitters', emitters > 1 && !has('whitted'));
   if (has('whitted')) set('smooth', has('reflective'));
   // The second event is at the ball.

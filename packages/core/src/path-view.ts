@@ -1,7 +1,7 @@
 /** What the shader of the integrator `path` is told of the eye, besides what `view-record.ts` has. */
 import type { CameraFrame } from './camera-frame.ts';
 import type { Frame } from './frame.ts';
-import { reverseBits, sequenceSeed } from './random.ts';
+import { pixelSample, reverseBits, sequenceSeed } from './random.ts';
 import type { RecordValues } from './std140.ts';
 import { dot, subtract, scale as times, type Vec3 } from './vector.ts';
 import { eyeUnit, type SampleNumber } from './view-record.ts';
@@ -14,6 +14,8 @@ export const pathEyeRecord = [
   { name: 'focus', type: 'float', when: 'LENS' },
   { name: 'lensY', type: 'vec3', when: 'LENS' },
   { name: 'toFocus', type: 'float', when: 'DEPTH' },
+  { name: 'placeX', type: 'float', when: 'SHARED_PLACE' },
+  { name: 'placeY', type: 'float', when: 'SHARED_PLACE' },
   { name: 'mostRadiance', type: 'float', when: 'CLAMP' },
   { name: 'sequence', type: 'uint' },
   { name: 'reversed', type: 'uint' },
@@ -30,6 +32,7 @@ export function packPathEye(
   { sample, seed, clamp = LARGEST }: SampleNumber,
 ): RecordValues<typeof pathEyeRecord> {
   const { forward, focus, lens = [NOWHERE, NOWHERE] } = view;
+  const [placeX, placeY] = pixelSample(sample, seed);
   const toStart = dot(forward, subtract(origin, view.origin));
   return {
     ...((view.orthographic || toStart > 0) && windowAt(view, toStart, scale)),
@@ -40,6 +43,8 @@ export function packPathEye(
     focus: (focus * scale) / eyeUnit(view),
     lensY: times(lens[1], scale),
     toFocus: focus * scale,
+    placeX,
+    placeY,
     mostRadiance: Math.min(clamp, LARGEST),
     sequence: sequenceSeed(sample, seed),
     reversed: reverseBits(sample >>> 1),

@@ -11,8 +11,8 @@ export function hash(value: number): number {
 }
 
 /**
- * Where in its pixel the n-th sample lies: [0, 1)², x to the right, y down. Odd and even samples form two
- * independently scrambled sequences, so that the difference of their means tells the error of both.
+ * Where in its pixel the n-th sample lies, if at the same place in all of them: [0, 1)², x to the right, y down. Odd and
+ * even samples form two independently scrambled sequences, so that the difference of their means tells the error of both.
  */
 export function pixelSample(index: number, seed: number): readonly [number, number] {
   const i = index >>> 1;
@@ -31,6 +31,12 @@ export interface Sampler {
 export function pixelSampler(x: number, y: number, index: number, seed: number): Sampler {
   return { seed: hash(x ^ hash(y ^ sequenceSeed(index, seed))), index: index >>> 1 };
 }
+
+/** Where in its pixel a sample lies that has a place of its own: [0, 1)², x to the right, y down. */
+export const ownPlace = (sampler: Sampler): readonly [number, number] => sample2d(sampler, PLACE_SET);
+
+/** The set before all others, as an unsigned number the last one. */
+const PLACE_SET = -1;
 
 /** What all pixels' sequences have in common: the seed, and which of the two sequences the sample is of. */
 export const sequenceSeed = (index: number, seed: number): number => hash((seed ^ hash((index & 1) + 2)) >>> 0);

@@ -89,11 +89,14 @@ export function mergeNeeds(a: SceneNeeds, b: SceneNeeds): SceneNeeds {
   };
 }
 
+/** What outputs show of surfaces. */
+const surfaceOutputs: readonly string[] = ['normal', 'depth', 'albedo'];
+
 /** Kinds of cameras and of what they show: of them, too, there is but one. */
-const views: readonly string[] = ['lens', 'distant', 'normal', 'depth', 'albedo'];
+const views: readonly string[] = ['lens', 'distant', ...surfaceOutputs];
 
 /** Whether an output shows what surfaces are like, as opposed to their light and the noise of that. */
-export const isSurfaceOutput = (output?: string): boolean => views.includes(`${output}`);
+export const isSurfaceOutput = (output?: string): boolean => surfaceOutputs.includes(`${output}`);
 
 /**
  * Whether an integrator goes through the scene path by path: `direct` does only where light comes from more than points

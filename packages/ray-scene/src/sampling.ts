@@ -1,5 +1,5 @@
 /** The samples of a view on the GPU: what they are traced with, what they are gathered in, and how fast they come. */
-import { cameraFrame, loadPaths, loadShaderParts, pixelSample, requirementsKey } from '@ray-scene/core';
+import { cameraFrame, loadPaths, loadShaderParts, requirementsKey } from '@ray-scene/core';
 import { Accumulation } from './accumulation.ts';
 import type { AdaptiveOrder } from './adaptive-order.ts';
 import { CELL_PIXELS } from './cells.ts';
@@ -162,7 +162,7 @@ export class Sampling {
     // A function of the sample alone, so that tiles make no difference.
     const { seed, clamp } = this.#view.settings;
     const sample = cells.countOf(tile);
-    const frame = cameraFrame(camera, width, height, pixelSample(sample, seed));
+    const frame = cameraFrame(camera, width, height);
     accumulation.add(() => this.#tracer?.draw(frame, { sample, seed, clamp }), tile);
     return cells.pixelsOf(tile);
   }

@@ -7,7 +7,6 @@ import {
   type EnvironmentImages,
   generateShader,
   parseScene,
-  pixelSample,
   type ResolvedScene,
   requirements,
   resolveScene,
@@ -90,8 +89,8 @@ export class Picture {
   /** Adds samples until there are so many. */
   drawTo(samples: number, seed: number): void {
     const { width, height } = this.#target;
+    const frame = cameraFrame(this.#scene.camera, width, height);
     for (let sample = this.#target.samples; sample < samples; sample++) {
-      const frame = cameraFrame(this.#scene.camera, width, height, pixelSample(sample, seed));
       this.#target.add(() => this.#tracer.draw(frame, { sample, seed, clamp: this.#clamp }));
     }
   }

@@ -1,6 +1,6 @@
 /** The reference renderer: the same rays and the same random numbers as the shader, in f64. */
 import { type CameraFrame, cameraFrame, cameraRay } from '../camera-frame.ts';
-import { pixelSample, pixelSampler, type Sampler, sample2d } from '../random.ts';
+import { ownPlace, pixelSample, pixelSampler, type Sampler, sample2d } from '../random.ts';
 import { rayStart } from '../ray-start.ts';
 import { type EnvironmentImages, resolveScene } from '../resolve-scene.ts';
 import { followsPaths, isSurfaceOutput } from '../scene-needs.ts';
@@ -40,15 +40,18 @@ export function renderReference(scene: Scene, settings: ReferenceSettings): Refe
   const { samples, seed, bounces, integrator, output, clamp } = parseSettings(rest);
   const resolved = resolveScene(scene, width / height, undefined, images);
   const paths = followsPaths(resolved, { integrator }) ? preparePaths(resolved, integrator, clamp) : undefined;
+  const hasOwnPlaces = integrator === 'path' && !isSurfaceOutput(output);
+  const frame = cameraFrame(resolved.camera, width, height);
   const ahead = rayStart(resolved);
   const data = new Float64Array(width * height * 4);
   for (let sample = 0; sample < samples; sample++) {
-    const frame = cameraFrame(resolved.camera, width, height, pixelSample(sample, seed));
+    const shared = hasOwnPlaces ? undefined : pixelSample(sample, seed);
     for (let pixel = 0; pixel < width * height; pixel++) {
       const [x, row] = [pixel % width, Math.floor(pixel / width)];
       const y = height - 1 - row;
       const sampler = pixelSampler(x, y, sample, seed);
-      const ray = nudged(rayThrough(frame, x, y, sampler, ahead), nudge);
+      const [right, down] = shared ?? ownPlace(sampler);
+      const ray = nudged(rayThrough(frame, x + right, y + 1 - down, sampler, ahead), nudge);
       const rgba = isSurfaceOutput(output)
         ? firstSurface(resolved, ray, output, frame)
         : paths
@@ -66,7 +69,7 @@ function rayThrough(frame: CameraFrame, x: number, y: number, sampler: Sampler, 
   const [angle, area] = frame.lens ? sample2d(sampler, LENS_SET) : [0, 0];
   const [right, up] = circle(angle);
   const onLens = [right * Math.sqrt(area), up * Math.sqrt(area)] as const;
-  const { start, direction } = cameraRay(frame, x + 0.5, y + 0.5, onLens, ahead);
+  const { start, direction } = cameraRay(frame, x, y, onLens, ahead);
   return { origin: add(frame.origin, start), direction };
 }
 
