@@ -62,7 +62,7 @@ const errorCells = (row: VectorRow | undefined): readonly string[] =>
 
 const short = (value: number): string => (value < 1000 ? value.toPrecision(2) : value.toExponential(0));
 
-const PICTURES_HEAD = `| scene | side | samples | bias | ± | rms z | of noise | expected | errors | left out | PSNR | minutes |
+const PICTURES_HEAD = `| scene | side | samples | bias | ± | rms z | of all | expected | errors | left out | PSNR | minutes |
 | --- | --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |
 `;
 
@@ -78,7 +78,7 @@ function pictureLine(row: ImageRow): string {
   const { scene, side, skipped } = row;
   if (skipped !== null) return `| ${scene} | ${side} | ${skipped} | | | | | | | | | |\n`;
   const shares = [row.bias, row.biasError].map((share) => percent(share ?? 0));
-  const ratios = [row.rmsZ, row.rmsZNoisy, row.expectedRmsZ, row.errorRatio].map((ratio) => (ratio ?? 0).toFixed(2));
+  const ratios = [row.rmsZ, row.rmsZAll, row.expectedRmsZ, row.errorRatio].map((ratio) => (ratio ?? 0).toFixed(2));
   // JSON has no word for an infinite one.
   const decibels = Number.isFinite(row.psnr) ? row.psnr?.toFixed(1) : 'exact';
   const rest = [percent(row.skippedFraction ?? 0), decibels, (row.minutes ?? 0).toFixed(1)];

@@ -24,7 +24,7 @@ const IMAGE_COLUMNS = [
   'bias',
   '± error',
   'rms z',
-  'of noise',
+  'of all',
   'expected',
   'errors',
   'dB',
@@ -59,9 +59,9 @@ export const imageLine = (row: ImageRow): string => line(imageCells(row));
 function imageCells(row: ImageRow): readonly (string | number)[] {
   const name = `${row.scene} ${row.side === 'gpu' ? 'gpu' : 'ref'}`;
   if (row.skipped !== null) return [name, `   skipped: ${row.skipped}`];
-  const { samples, bias, biasError, rmsZ, rmsZNoisy, expectedRmsZ, errorRatio, psnr, minutes, broken } = row;
+  const { samples, bias, biasError, rmsZ, rmsZAll, expectedRmsZ, errorRatio, psnr, minutes, broken } = row;
   const percents = [bias, biasError].map((share) => `${(100 * (share ?? 0)).toFixed(3)}%`);
-  const ratios = [rmsZ, rmsZNoisy, expectedRmsZ, errorRatio].map((value) => (value ?? 0).toFixed(2));
+  const ratios = [rmsZ, rmsZAll, expectedRmsZ, errorRatio].map((value) => (value ?? 0).toFixed(2));
   const marked = `${minutes?.toFixed(1)}${broken.length > 0 ? '!' : ''}`;
   return [name, samples ?? 0, ...percents, ...ratios, psnr?.toFixed(1) ?? '', marked];
 }

@@ -8,7 +8,7 @@ import { type BrdfCase, brdfError, brdfTables, skippedTables } from './brdf-tabl
 import { bsdfTables } from './bsdf-tables.ts';
 import { writeDoc } from './doc.ts';
 import { Gpu } from './gpu-side.ts';
-import type { ImageRow } from './images/judge-image.ts';
+import { type ImageRow, MAX_ERROR_RATIO } from './images/judge-image.ts';
 import { measureImages } from './images/measure-images.ts';
 import { isKind } from './reference-side.ts';
 import { imageLine, printReport, type Truth } from './report.ts';
@@ -26,11 +26,12 @@ Measures the f64 reference and the GPU path against ground truth that this proje
                   the worse answer counts.
   --only PART     vectors, brdf or images
   --scene NAME    of the images, this one
-  --samples N     of the images: per pixel, at most (default: 65536). As many are taken as a mean standard error
-                  of at most 3 times that of the truth needs, by the error of the first 128
+  --samples N     of the images: per pixel, at most (default: 65536)
+  --errors N      of the images: their mean standard error, at most so many times that of the truth (default: 3).
+                  As many samples are taken as that needs, by the error of the first 128
   --pictures DIR  of the images, writes PNG files there: ours, theirs, and the difference in standard errors
   --json FILE     writes all numbers there, of the images at each one
-  --resume        of the images, does not measure again what FILE has and is good
+  --resume        of the images, keeps what FILE has and is good, and measures what it has not
   --doc FILE      writes the tables of vectors and images there: docs/how-exact.md has places for them
 
 Ends with 1 when a limit is broken.`;
@@ -44,6 +45,7 @@ const { values: options } = parseArgs({
     only: { type: 'string' },
     scene: { type: 'string' },
     samples: { type: 'string', default: '65536' },
+    errors: { type: 'string', default: `${MAX_ERROR_RATIO}` },
     pictures: { type: 'string' },
     json: { type: 'string' },
     resume: { type: 'boolean', default: false },
@@ -74,6 +76,7 @@ const images = (
     onCpu,
     gpu,
     mostSamples: Number(options.samples),
+    mostErrors: Number(options.errors),
     pictures: options.pictures,
     onProgress: (what) => console.error(what),
     onRow,

@@ -66,6 +66,30 @@ test('errors that are larger or smaller than they are said to be are found out',
   }
 });
 
+test('pixels without noise say nothing of it: with them, what is off by more than its errors would pass', async () => {
+  const [noisy, truth] = [await estimated(0.1), theirs(0.01)];
+  const isStill = (pixel: number): boolean => pixel % 2 === 0;
+  const rgb = (values: ArrayLike<number>) =>
+    Float64Array.from(values, (x, i) => (isStill(Math.floor(i / 3)) ? 0.5 : x));
+  const error = (values: ArrayLike<number>, factor = 1) =>
+    Float64Array.from(values, (x, i) => (isStill(i) ? 0 : factor * x));
+  const half = { ...truth, rgb: new Float32Array(rgb(truth.rgb)), error: new Float32Array(error(truth.error)) };
+  const rowOf = (factor: number) =>
+    imageRow(
+      'gpu',
+      { ...noisy, rgb: rgb(noisy.rgb), error: error(noisy.error, factor) },
+      {
+        ...half,
+        error: half.error.map((x) => factor * x),
+      },
+    );
+  const right = rowOf(1);
+  assert.deepEqual(right.broken, []);
+  assert.equal(right.noisyFraction, 0.5);
+  assert.ok(Math.abs((right.rmsZAll ?? 0) / (right.rmsZ ?? 0) - Math.SQRT1_2) < 1e-6);
+  for (const factor of [0.8, 1.25]) assert.ok(rowOf(factor).broken.some((what) => what.startsWith('rmsZ')));
+});
+
 test('pictures without noise agree where their digits do', async () => {
   const exact = { ...theirs(0), rgb: new Float32Array(3 * PIXELS).fill(0.5) };
   assert.deepEqual(imageRow('gpu', await estimated(0, 0.5 * (1 + 1e-6)), exact).broken, []);

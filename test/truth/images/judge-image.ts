@@ -16,13 +16,16 @@ export interface ImageRow {
   readonly biasError: number | null;
   /** The same of each channel. */
   readonly biasRgb: readonly number[] | null;
-  /** Root of the mean over pixels of z²; see `zScores`. */
+  /**
+   * Root of the mean of z² (see `zScores`) over pixels that have noise, in ours or in theirs: the others agree to the last
+   * digits, if rounding is all there is. Over all pixels if none has noise.
+   */
   readonly rmsZ: number | null;
+  /** The same over all pixels. */
+  readonly rmsZAll: number | null;
   /** What it is on average if both are right: z has Student's distribution, since errors are estimates from n batches. */
   readonly expectedRmsZ: number | null;
-  /** The same over pixels whose noise is well above the floor of z: on the others rounding is judged, not chance. */
-  readonly rmsZNoisy: number | null;
-  /** Share of those pixels. */
+  /** Share of the pixels that have noise. */
   readonly noisyFraction: number | null;
   readonly maxZ: number | null;
   /** Our mean standard error of a pixel in units of theirs. */
@@ -43,14 +46,14 @@ export interface ImageRow {
 
 /** Below this share of its value a pixel's standard error counts as this: f32 says no more of a sum of many samples. */
 const FLOOR = 1e-5;
-/** Of our mean standard error in units of theirs. */
-const MAX_ERROR_RATIO = 3;
-/** What is aimed at, with a margin for what the first samples do not tell; and where no more is to be learnt from more. */
-const GOOD_ERROR_RATIO = 2.7;
-const LEAST_ERROR_RATIO = 1;
+/** Of our mean standard error in units of theirs, unless another limit is given. */
+export const MAX_ERROR_RATIO = 3;
+/** What is aimed at, with a margin for what the first samples do not tell; and where it ends in any case. Of the limit. */
+const GOOD_ERRORS = 0.9;
+const LEAST_ERRORS = 1 / 3;
 const MAX_BIAS = 0.003;
 const RMS_Z_RANGE = [0.9, 1.1] as const;
-/** In floors: with less noise than this, z is made small by the floor. */
+/** In floors, the noise of pixels that have noise: with less than this, z is made small by the floor. */
 const NOISE = 3;
 
 const floored = (error: number, value: number): number => Math.max(error, FLOOR * Math.abs(value));
@@ -78,7 +81,14 @@ export function errorRatio(ours: Estimate, theirs: ImageTruth): number {
   return own / other;
 }
 
-export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth, minutes: number | null = null): ImageRow {
+/** @param mostErrors limit of our mean standard error, in units of theirs. */
+export function imageRow(
+  side: ImageSide,
+  ours: Estimate,
+  theirs: ImageTruth,
+  mostErrors = MAX_ERROR_RATIO,
+  minutes: number | null = null,
+): ImageRow {
   const [grey, right] = [greyOf(ours.rgb), greyOf(theirs.rgb)];
   const pixels = finitePixels(grey, right);
   const z = zScores(ours, theirs);
@@ -99,9 +109,9 @@ export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth, mi
     bias: relative(average(pixels.map((i) => grey[i] as number)), average(pixels.map((i) => right[i] as number))),
     biasError: Math.hypot(ours.meanError, theirs.meanError),
     biasRgb: [0, 1, 2].map(channel),
-    rmsZ: rms(pixels),
+    rmsZ: rms(noisy.length > 0 ? noisy : pixels),
+    rmsZAll: rms(pixels),
     expectedRmsZ: Math.sqrt((theirs.batches - 1) / (theirs.batches - 3)),
-    rmsZNoisy: rms(noisy),
     noisyFraction: noisy.length / grey.length,
     maxZ: pixels.reduce((most, i) => Math.max(most, Math.abs(z[i] as number)), 0),
     errorRatio: errorRatio(ours, theirs),
@@ -112,8 +122,7 @@ export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth, mi
   };
   const disagrees = disagreements(row);
   const noise = row.errorRatio.toPrecision(3);
-  const tooNoisy =
-    row.errorRatio <= MAX_ERROR_RATIO ? [] : [`errors ${noise} times theirs, at most ${MAX_ERROR_RATIO}`];
+  const tooNoisy = row.errorRatio <= mostErrors ? [] : [`errors ${noise} times theirs, at most ${mostErrors}`];
   return { ...row, disagrees, broken: [...disagrees, ...tooNoisy] };
 }
 
@@ -121,11 +130,11 @@ export function imageRow(side: ImageSide, ours: Estimate, theirs: ImageTruth, mi
  * How many times as many samples an estimate should have. Where few samples meet something rare, z is not normally
  * distributed: a pixel that none of them met it in seems to have no error. So what fails for its z has more.
  */
-export function moreSamples(ours: Estimate, theirs: ImageTruth): number {
+export function moreSamples(ours: Estimate, theirs: ImageTruth, mostErrors = MAX_ERROR_RATIO): number {
   const ratio = errorRatio(ours, theirs);
-  if (!(ratio <= MAX_ERROR_RATIO)) return (ratio / GOOD_ERROR_RATIO) ** 2;
+  if (!(ratio <= mostErrors)) return (ratio / (GOOD_ERRORS * mostErrors)) ** 2;
   const agrees = imageRow('reference', ours, theirs).disagrees.length === 0;
-  return agrees || ratio <= LEAST_ERROR_RATIO ? 1 : 4;
+  return agrees || ratio <= LEAST_ERRORS * mostErrors ? 1 : 4;
 }
 
 /** What tests take: few samples, whose errors may be larger than those of the truth. */
@@ -144,8 +153,8 @@ type Numbers = {
 
 function disagreements(row: Numbers): readonly string[] {
   const { bias, biasError, rmsZ, expectedRmsZ, noisyFraction, skippedFraction } = row;
-  // Pixels without noise agree to the last digits: their z is as good as 0.
-  const least = RMS_Z_RANGE[0] * expectedRmsZ * Math.sqrt(noisyFraction);
+  // Without noise, pictures may agree to the last digit.
+  const least = noisyFraction > 0 ? RMS_Z_RANGE[0] * expectedRmsZ : 0;
   const most = RMS_Z_RANGE[1] * expectedRmsZ;
   return [
     !(Math.abs(bias) < MAX_BIAS || Math.abs(bias) < 3 * biasError) &&
@@ -164,8 +173,8 @@ export const skippedRow = (scene: string, side: ImageSide, why: string, broken =
   biasError: null,
   biasRgb: null,
   rmsZ: null,
+  rmsZAll: null,
   expectedRmsZ: null,
-  rmsZNoisy: null,
   noisyFraction: null,
   maxZ: null,
   errorRatio: null,

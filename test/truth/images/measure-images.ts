@@ -16,14 +16,16 @@ import { type TranslatedScene, translateScene } from './translate-scene.ts';
 export interface ImageOptions {
   /** Folder with a folder for each scene. */
   readonly data: string;
-  /** Only this one. */
+  /** Only this one is measured. */
   readonly scene?: string | undefined;
-  /** Rows of an earlier run, which need not be measured again. */
+  /** Rows of an earlier run, of whatever scene and side: they stand as they are. */
   readonly known: readonly ImageRow[];
   readonly onCpu: boolean;
   readonly gpu: Gpu | undefined;
   /** Per pixel, at most. */
   readonly mostSamples: number;
+  /** What our mean standard errors may be, in units of theirs. */
+  readonly mostErrors: number;
   /** Folder for pictures of the differences. */
   readonly pictures?: string | undefined;
   /** Told what is being done, for whoever waits. */
@@ -53,9 +55,11 @@ export async function measureImages(options: ImageOptions): Promise<readonly Ima
         ['gpu', gpu && ((scene) => onGpu(gpu, scene, truth, images))],
       ];
       for (const [side, renderer] of sides) {
-        if (!renderer) continue;
         const known = options.known.find((row) => row.scene === name && row.side === side);
-        rows.push(known ?? (await measureImage(side, truth, options, renderer)));
+        const isWanted = options.scene === undefined || options.scene === name;
+        const row = known ?? (renderer && isWanted ? await measureImage(side, truth, options, renderer) : undefined);
+        if (!row) continue;
+        rows.push(row);
         onRow(rows);
       }
     }
@@ -70,7 +74,7 @@ function sceneNames({ data, scene }: ImageOptions): readonly string[] {
   if (scene !== undefined && !names.includes(scene)) {
     throw new Error(`--scene takes ${names.join(', ')}, not ${scene}`);
   }
-  return scene === undefined ? names.sort() : [scene];
+  return names.sort();
 }
 
 const imageTruth = (folder: string): Promise<ImageTruth> => readImageTruth((name) => bytesOf(join(folder, name)));
@@ -90,12 +94,12 @@ async function measureImage(
     parseScene(translated.scene);
     const start = performance.now();
     const ours = await estimate(await renderer(translated), {
-      more: (one) => moreSamples(one, truth),
+      more: (one) => moreSamples(one, truth, options.mostErrors),
       mostSamples: options.mostSamples,
       ...progress(`${name} ${side}`, truth, options.onProgress),
     });
     if (options.pictures) savePicture(join(options.pictures, `${name}-${side}.png`), ours, truth);
-    return imageRow(side, ours, truth, (performance.now() - start) / 60_000);
+    return imageRow(side, ours, truth, options.mostErrors, (performance.now() - start) / 60_000);
   } catch (error) {
     // A scene that our language has no words for should be translated in another way.
     if (error instanceof SceneError) return skippedRow(name, side, error.message, true);
