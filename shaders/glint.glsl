@@ -25,8 +25,18 @@ struct GlintLobe {
 };
 
 // What a path may look for where it is, and the probability with which it looks; else the BSDF is drawn from.
+// Each has a name, since compilers keep arrays in memory: they had taken a quarter of the time of a sample.
 struct Glints {
-  GlintLobe lobes[GLINTS];
+  GlintLobe first;
+#ifdef SECOND_GLINT
+  GlintLobe second;
+#endif
+#ifdef THIRD_GLINT
+  GlintLobe third;
+#endif
+#ifdef FOURTH_GLINT
+  GlintLobe fourth;
+#endif
   float probability;
 };
 
@@ -63,10 +73,9 @@ vec2 angleOf(float c, float s) {
   return vec2(c, s) / max(sqrt(c * c + s * s), SMALLEST);
 }
 
-// The lobe of a pair at a point; `irradiance` is what comes this way by the pair, roughly, on a surface that faces it, over
-// that of all lamps: 0 where the ball does not mirror the lamp to it.
-GlintLobe glintLobe(Glint glint, vec3 p, mat3 frame, bool looks, out float irradiance) {
-  irradiance = 0.0;
+// The lobe of a pair at a point. Its share is what would come from there to the eye, roughly, over the irradiance of all
+// lamps on a surface that faces them: 0 where the ball does not mirror the lamp to the point.
+GlintLobe glintLobe(Glint glint, vec3 p, mat3 frame, bool looks, Bsdf bsdf, vec3 wo) {
   GlintLobe lobe = GlintLobe(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec2(1.0), 0.0);
   if (!looks) return lobe;
   vec3 toPoint = toLocal(frame, p - glint.center);
@@ -107,7 +116,10 @@ GlintLobe glintLobe(Glint glint, vec3 p, mat3 frame, bool looks, out float irrad
   lobe.axis = a.x * x + a.y * y;
   lobe.along = a.x * y - a.y * x;
   lobe.widths = max(2.0 * glint.alpha * cosine * near.x / turns, vec2(NARROWEST));
-  irradiance = glint.strength * cosine * (near.x / turns.x) * (near.x / turns.y);
+  if (!(lobe.axis.z > 0.0)) return lobe;
+  float pdf;
+  float irradiance = glint.strength * cosine * (near.x / turns.x) * (near.x / turns.y);
+  lobe.share = irradiance * sum(bsdfValue(bsdf, wo, lobe.axis, pdf)) / 3.0;
   return lobe;
 }
 
@@ -133,25 +145,48 @@ vec3 glintSample(GlintLobe lobe, vec2 u, out float pdf) {
 Glints glintsAt(vec3 p, int object, bool asks, mat3 frame, Bsdf bsdf, vec3 wo) {
   Glints g;
   bool looks = asks && !isMirrorOnly(bsdf);
-  float all = 0.0;
-  for (int i = 0; i < GLINTS; i++) {
-    float irradiance = 0.0;
-    g.lobes[i] = glintLobe(glints[i], p, frame, looks && glints[i].object != object, irradiance);
-    if (irradiance > 0.0 && g.lobes[i].axis.z > 0.0) {
-      float pdf;
-      g.lobes[i].share = irradiance * sum(bsdfValue(bsdf, wo, g.lobes[i].axis, pdf)) / 3.0;
-    }
-    all += g.lobes[i].share;
-  }
+  g.first = glintLobe(glints[0], p, frame, looks && glints[0].object != object, bsdf, wo);
+  float all = g.first.share;
+#ifdef SECOND_GLINT
+  g.second = glintLobe(glints[1], p, frame, looks && glints[1].object != object, bsdf, wo);
+  all += g.second.share;
+#endif
+#ifdef THIRD_GLINT
+  g.third = glintLobe(glints[2], p, frame, looks && glints[2].object != object, bsdf, wo);
+  all += g.third.share;
+#endif
+#ifdef FOURTH_GLINT
+  g.fourth = glintLobe(glints[3], p, frame, looks && glints[3].object != object, bsdf, wo);
+  all += g.fourth.share;
+#endif
   g.probability = min(all / (all + EVEN_RADIANCE), MOST_PROBABLE);
-  for (int i = 0; i < GLINTS; i++) g.lobes[i].share *= g.probability / max(all, SMALLEST);
+  float scale = g.probability / max(all, SMALLEST);
+  g.first.share *= scale;
+#ifdef SECOND_GLINT
+  g.second.share *= scale;
+#endif
+#ifdef THIRD_GLINT
+  g.third.share *= scale;
+#endif
+#ifdef FOURTH_GLINT
+  g.fourth.share *= scale;
+#endif
   return g;
 }
 
 // The pdf of a direction that the BSDF is drawn with `pdf`, by whatever way it was found; `known` is that of the lobe `which`.
 float pdfWithGlints(Glints g, vec3 wi, float pdf, int which, float known) {
   float all = (1.0 - g.probability) * pdf;
-  for (int i = 0; i < GLINTS; i++) all += g.lobes[i].share * (i == which ? known : glintPdf(g.lobes[i], wi));
+  all += g.first.share * (which == 0 ? known : glintPdf(g.first, wi));
+#ifdef SECOND_GLINT
+  all += g.second.share * (which == 1 ? known : glintPdf(g.second, wi));
+#endif
+#ifdef THIRD_GLINT
+  all += g.third.share * (which == 2 ? known : glintPdf(g.third, wi));
+#endif
+#ifdef FOURTH_GLINT
+  all += g.fourth.share * (which == 3 ? known : glintPdf(g.fourth, wi));
+#endif
   return all;
 }
 
@@ -165,17 +200,31 @@ BsdfSample sampleWithGlints(Bsdf bsdf, vec3 wo, Glints g, vec2 u, float lobe) {
     return BsdfSample(s.wi, s.weight * (s.pdf > 0.0 ? s.pdf / pdf : 1.0 / others), pdf);
   }
   int which = 0;
-#ifdef SEVERAL_GLINTS
-  float rest = lobe;
-  for (int i = 0; i < GLINTS - 1; i++) {
-    if (which < i || rest < g.lobes[i].share) continue;
-    rest -= g.lobes[i].share;
-    which = i + 1;
+  GlintLobe chosen = g.first;
+#ifdef SECOND_GLINT
+  float end = g.first.share;
+  if (lobe >= end) {
+    which = 1;
+    chosen = g.second;
+  }
+#endif
+#ifdef THIRD_GLINT
+  end += g.second.share;
+  if (lobe >= end) {
+    which = 2;
+    chosen = g.third;
+  }
+#endif
+#ifdef FOURTH_GLINT
+  end += g.third.share;
+  if (lobe >= end) {
+    which = 3;
+    chosen = g.fourth;
   }
 #endif
   float known;
   float pdf;
-  vec3 wi = glintSample(g.lobes[which], u, known);
+  vec3 wi = glintSample(chosen, u, known);
   vec3 value = bsdfValue(bsdf, wo, wi, pdf);
   pdf = pdfWithGlints(g, wi, pdf, which, known);
   return BsdfSample(wi, value / max(pdf, SMALLEST), pdf);

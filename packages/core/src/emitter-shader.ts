@@ -2,7 +2,6 @@
 import { POINTS, presentEmitters } from './emitter-record.ts';
 import { type EmitterKind, emitterKinds } from './emitters.ts';
 import type { Feature } from './features.ts';
-import { glintPlaces } from './glints.ts';
 import { structName } from './pack-scene.ts';
 import { ROULETTE_FROM } from './path-needs.ts';
 import type { Requirements } from './requirements.ts';
@@ -61,6 +60,5 @@ export function limitsGlsl({ bounces, features, emitters }: Requirements): strin
   const roulette = features.includes('roulette') ? `const int ROULETTE_FROM = ${ROULETTE_FROM};\n` : '';
   const isListed = (['sunEmitter', 'imageEmitter', 'whitted'] as const).some((feature) => features.includes(feature));
   const list = isListed ? `const int EMITTERS = ${emitters};\n` : '';
-  const places = features.includes('glint') ? `const int GLINTS = ${glintPlaces(features)};\n` : '';
-  return `const int BOUNCES = ${bounces};\n${roulette}${list}${places}`;
+  return `const int BOUNCES = ${bounces};\n${roulette}${list}`;
 }

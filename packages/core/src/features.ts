@@ -65,7 +65,9 @@ export const features = [
   'severalEmitters',
   // Balls with a narrow lobe that throw the light of lamps without extent on other things.
   'glint',
-  'severalGlints',
+  'secondGlint',
+  'thirdGlint',
+  'fourthGlint',
   // One that a ray may meet by chance, too.
   'areaEmitter',
   // One that does not fade with distance; a ball that shines as a spotlight does; a solid that shines inwards; one in a

@@ -34,8 +34,13 @@ export interface Glint {
  */
 const LEAST_PEAK = 6;
 
-/** Pairs beyond these, the weakest, are left to chance. */
-export const MOST_GLINTS = 4;
+/** What a shader has of pairs, one by one; those beyond these, the weakest, are left to chance. */
+export const GLINT_FEATURES = [
+  'glint',
+  'secondGlint',
+  'thirdGlint',
+  'fourthGlint',
+] as const satisfies readonly Feature[];
 
 export const glintRecord = [
   { name: 'center', type: 'vec3', when: 'glint' },
@@ -70,7 +75,7 @@ type PointLike = Extract<Emitter, { kind: 'point' | 'spot' | 'directional' }>;
 
 /** How many pairs a shader has places for. */
 export const glintPlaces = (features: readonly Feature[]): number =>
-  features.includes('severalGlints') ? MOST_GLINTS : 1;
+  GLINT_FEATURES.filter((feature) => features.includes(feature)).length;
 
 /** How many pairs there are, however weak: numbers that move no more than an edge of a feature do not change it. */
 export const countGlints = (scene: ResolvedScene, emitters: readonly Emitter[]): number =>
@@ -85,7 +90,7 @@ export function sceneGlints(scene: ResolvedScene, emitters: readonly Emitter[]):
       .filter((lamp) => lamp.power > 0)
       .map((lamp) => glintOf(scene, object, lamp, lamp.power / power)),
   );
-  return pairs.sort((a, b) => b.strength * b.radius ** 2 - a.strength * a.radius ** 2).slice(0, MOST_GLINTS);
+  return pairs.sort((a, b) => b.strength * b.radius ** 2 - a.strength * a.radius ** 2).slice(0, GLINT_FEATURES.length);
 }
 
 const isPointLike = (emitter: Emitter): emitter is PointLike =>

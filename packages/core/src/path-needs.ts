@@ -2,7 +2,7 @@
 import { emitterFeatures } from './emitter-record.ts';
 import { sceneEmitters } from './emitters.ts';
 import type { Feature } from './features.ts';
-import { countGlints } from './glints.ts';
+import { countGlints, GLINT_FEATURES } from './glints.ts';
 import { mappedKinds } from './image-map.ts';
 import { ggxAlpha } from './material-record.ts';
 import { primitiveOf } from './parts.ts';
@@ -23,7 +23,6 @@ export function pathNeeds(
   const solid = transmissive.filter(({ shape }) => primitiveOf(shape).closed);
   const emissive = materials.filter(isEmissive);
   const mapped = mappedKinds(scene);
-  const glints = countGlints(scene, emitters);
   const facts: { readonly [F in Feature]?: boolean } = {
     rough: materials.some((one) => hasFacets(one) && ggxAlpha(one.roughness) > 0),
     smooth: materials.some((one) => hasFacets(one) && ggxAlpha(one.roughness) === 0),
@@ -36,13 +35,12 @@ export function pathNeeds(
     sides: solid.length > 0 || emissive.length > 0,
     map: mapped.length > 0,
     clamp: clamp !== undefined,
-    glint: glints > 0,
-    severalGlints: glints > 1,
     lens: !!camera.aperture && camera.type !== 'orthographic',
     distant: camera.type === 'orthographic' || rayStart(scene) > 0,
   };
   return {
     features: [
+      ...GLINT_FEATURES.slice(0, countGlints(scene, emitters)),
       ...(Object.keys(facts) as Feature[]).filter((feature) => facts[feature]),
       ...mapped.map((kind) => `${kind}Map` as const),
       ...emitterFeatures(emitters),
@@ -74,7 +72,7 @@ export function pathFeatures({ bounces, shapes, placed, emitters, features: give
   set('severalEmitters', emitters > 1 && !has('whitted'));
   if (has('whitted')) set('smooth', has('reflective'));
   // The second event is at the ball.
-  for (const glint of ['glint', 'severalGlints'] as const) set(glint, has(glint) && bounces > 1 && !has('whitted'));
+  for (const glint of GLINT_FEATURES) set(glint, has(glint) && bounces > 1 && !has('whitted'));
   set('roulette', bounces > ROULETTE_FROM && !has('whitted'));
   set('checker', hasChecker(present));
   set('turnedChecker', has('turnedChecker') && has('planeChecker'));
