@@ -1,6 +1,7 @@
+import '@ray-scene/core/parts';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { intersect, type Material, parseScene, resolveScene, type Vec3 } from '@ray-scene/core';
+import { intersect, type Material, parseScene, type RenderSettings, resolveScene, type Vec3 } from '@ray-scene/core';
 import { renderReference } from '@ray-scene/core/reference';
 import fc from 'fast-check';
 import { scattered } from '../../packages/core/src/reference/material/metallic-roughness.ts';
@@ -202,4 +203,21 @@ test('a lamp on the other side of a plane, or inside a ball, lights nothing here
   assert.ok(dark([0, -1, 0]).every((value) => value === 0));
   assert.ok(dark([0, 0.7, 0]).every((value) => value === 0));
   assert.ok(dark([0, 3, 3]).some((value) => value > 0));
+});
+
+test('along an edge, samples of paths lie here and there; all pixels of `direct` and of outputs have them at one place', () => {
+  // Its edge runs down the middle of a column of pixels.
+  const half = { type: 'quad', corner: [0.5, -9, 0], edgeU: [9, 0, 0], edgeV: [0, 18, 0], emission: [1, 1, 1] };
+  const scene = parseScene({
+    camera: { type: 'orthographic', height: 16, position: [0, 0, 5] },
+    background: [0, 0, 0],
+    objects: [{ ...half, color: [1, 1, 1] }],
+  });
+  const shownOf = (settings: Partial<RenderSettings>): Set<number> => {
+    const { data } = renderReference(scene, { ...settings, width: 16, height: 16, samples: 1, bounces: 1 });
+    return new Set(Array.from({ length: 16 }, (_, row) => data[4 * (16 * row + 8)] as number));
+  };
+  assert.equal(shownOf({ integrator: 'path' }).size, 2);
+  assert.equal(shownOf({ integrator: 'direct' }).size, 1);
+  assert.equal(shownOf({ integrator: 'path', output: 'albedo' }).size, 1);
 });
