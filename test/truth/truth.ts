@@ -67,7 +67,7 @@ const wants = (part: string): boolean => (options.only ?? part) === part && (par
 const images = (
   onCpu: boolean,
   gpu: Gpu | undefined,
-  onRow: (rows: readonly ImageRow[]) => void,
+  onRow: (row: ImageRow, rows: readonly ImageRow[]) => void,
 ): Promise<readonly ImageRow[]> =>
   measureImages({
     data: join(options.data, 'images'),
@@ -157,8 +157,8 @@ async function measure(): Promise<Truth> {
     const vectors = wants('vectors') ? await measureVectors(onCpu, gpu) : undefined;
     const brdf = wants('brdf') ? await measureBrdf(onCpu, gpu) : [];
     // Pictures take long: what is interrupted has written those that were ready.
-    const onRow = (rows: readonly ImageRow[]): void => {
-      console.error(imageLine(rows.at(-1) as ImageRow));
+    const onRow = (row: ImageRow, rows: readonly ImageRow[]): void => {
+      console.error(imageLine(row));
       save(truthOf(vectors, brdf, rows));
     };
     return truthOf(vectors, brdf, wants('images') ? await images(onCpu, gpu, onRow) : []);

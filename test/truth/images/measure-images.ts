@@ -30,8 +30,8 @@ export interface ImageOptions {
   readonly pictures?: string | undefined;
   /** Told what is being done, for whoever waits. */
   readonly onProgress: (what: string) => void;
-  /** Told of all rows so far, at each new one: who is interrupted has these. */
-  readonly onRow: (rows: readonly ImageRow[]) => void;
+  /** Told of each new row, and of all so far: who is interrupted has these. */
+  readonly onRow: (row: ImageRow, rows: readonly ImageRow[]) => void;
 }
 
 /** How often it is told how far a round has come. */
@@ -45,7 +45,7 @@ type Renderer = (scene: Renderable) => Promise<RenderBatch>;
 export async function measureImages(options: ImageOptions): Promise<readonly ImageRow[]> {
   const { data, gpu, onRow } = options;
   const pool = options.onCpu ? new ReferencePool() : undefined;
-  const rows: ImageRow[] = [];
+  const rows = [...options.known];
   try {
     for (const name of sceneNames(options)) {
       const truth = await imageTruth(join(data, name));
@@ -55,12 +55,11 @@ export async function measureImages(options: ImageOptions): Promise<readonly Ima
         ['gpu', gpu && ((scene) => onGpu(gpu, scene, truth, images))],
       ];
       for (const [side, renderer] of sides) {
-        const known = options.known.find((row) => row.scene === name && row.side === side);
-        const isWanted = options.scene === undefined || options.scene === name;
-        const row = known ?? (renderer && isWanted ? await measureImage(side, truth, options, renderer) : undefined);
-        if (!row) continue;
+        if (!renderer || rows.some((row) => row.scene === name && row.side === side)) continue;
+        const row = await measureImage(side, truth, options, renderer);
         rows.push(row);
-        onRow(rows);
+        rows.sort(inOrder);
+        onRow(row, rows);
       }
     }
   } finally {
@@ -69,12 +68,16 @@ export async function measureImages(options: ImageOptions): Promise<readonly Ima
   return rows;
 }
 
+/** By scene; the reference before the GPU. */
+const inOrder = (a: ImageRow, b: ImageRow): number => a.scene.localeCompare(b.scene) || b.side.localeCompare(a.side);
+
 function sceneNames({ data, scene }: ImageOptions): readonly string[] {
   const names = readdirSync(data).filter((name) => statSync(join(data, name)).isDirectory());
+  names.sort();
   if (scene !== undefined && !names.includes(scene)) {
     throw new Error(`--scene takes ${names.join(', ')}, not ${scene}`);
   }
-  return names.sort();
+  return scene === undefined ? names : [scene];
 }
 
 const imageTruth = (folder: string): Promise<ImageTruth> => readImageTruth((name) => bytesOf(join(folder, name)));
