@@ -10,6 +10,8 @@ export interface Conditioning {
   readonly condR: number;
   /** A number that moves by an f32 ulp changes hit to miss or back, or t altogether. */
   readonly ambiguous: boolean;
+  /** As `jump` of the data: it changes t altogether. */
+  readonly jump: boolean;
 }
 
 /** By the f64 reference. Ulps of places are those of places relative to the first place of the primitive. */
@@ -20,7 +22,11 @@ export function conditioning(one: VectorCase): Conditioning {
     return moved === t ? 0 : Math.abs(moved - t) / Math.abs(t);
   });
   const condR = Math.max(...changes.filter((change) => Number.isFinite(change) && change < 1), 0);
-  return { condR, ambiguous: changes.some((change) => !(change < 1)) };
+  return {
+    condR,
+    ambiguous: changes.some((change) => !(change < 1)),
+    jump: changes.some((change) => Number.isFinite(change) && change >= 1),
+  };
 }
 
 /** The cases that differ from this one in one number, by an ulp. */
