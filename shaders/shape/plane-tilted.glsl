@@ -21,14 +21,15 @@ float planeDescent(Plane s, vec3 v) {
 #endif
 }
 
+// From whichever is nearer: the plane's point, or the camera, as what the height changes by on the way from there. So what
+// is rounded is as small as it can be.
 PlaneFrom planeFrom(Plane s, vec3 o) {
+  vec3 way = s.point - o;
 #ifdef WIDE_RANGE
-  // Near the camera, what the height changes by on the way there; near the plane's point, that from there.
-  bool near = dot(o, o) < 0.01 * dot(s.point, s.point);
-  return PlaneFrom(mix(planeDescent(s, (s.point - o) + s.pointLow), s.height - planeDescent(s, o), near));
-#else
-  return PlaneFrom(s.height - planeDescent(s, o));
+  way += s.pointLow;
 #endif
+  bool near = dot(o, o) < dot(way, way);
+  return PlaneFrom(mix(planeDescent(s, way), s.height - planeDescent(s, o), near));
 }
 
 #ifndef THROUGH

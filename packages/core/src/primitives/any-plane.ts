@@ -10,7 +10,7 @@ const record = [
   { name: 'cameraSide', type: 'float', when: 'sides' },
   { name: 'down2', type: 'vec3', when: 'tiltedPlane wideRange' },
   { name: 'down3', type: 'vec3', when: 'tiltedPlane wideRange' },
-  { name: 'point', type: 'vec3', when: 'tiltedPlane wideRange' },
+  { name: 'point', type: 'vec3', when: 'tiltedPlane' },
   { name: 'pointLow', type: 'vec3', when: 'tiltedPlane wideRange' },
   { name: 'cellU', type: 'vec3', when: 'planeChecker turnedChecker' },
   { name: 'cellV', type: 'vec3', when: 'planeChecker turnedChecker' },
