@@ -2,7 +2,7 @@
 // the way to the tip, w the axis from there to the base, k the slope (radius over height), hv = w·v and p = v - hv w,
 // A t² - 2 B t + C = 0 where A = |d × w|² - k² (d·w)², B = d·(p - k² hv w), C = |p|² - k² hv², the differences of squares
 // as products; the discriminant is B² - A C, or k² |M⊥|² - (p·(d × w))² with M = v × d where that cancels less.
-// For the camera p, C and the vector of B come from f64. Precision: f32.
+// For the camera p, C and the vector of B come from f64, with WIDE_RANGE near it too. Precision: f32.
 #include "shape/convex.glsl"
 #include "split-dot.glsl"
 
@@ -14,7 +14,9 @@ struct ConeFrom {
   float c;
   float toBase;
 #ifdef WIDE_RANGE
-  bool camera;
+  // Near the camera, and what the vector of B changes by on the way from there.
+  bool near;
+  vec3 change;
 #endif
 };
 
@@ -34,6 +36,13 @@ float coneAlongAxis(Cone s, vec3 v) {
 #endif
 }
 
+#ifdef WIDE_RANGE
+// Times the vector of B at the camera.
+float coneAlongGradient(Cone s, vec3 v) {
+  return s.gradientScale * splitDot(s.gradient1, s.gradient2, s.gradient3, v);
+}
+#endif
+
 // By the way to the tip.
 ConeFrom coneFromTip(Cone s, vec3 v) {
   vec3 w = coneAxis(s);
@@ -43,23 +52,36 @@ ConeFrom coneFromTip(Cone s, vec3 v) {
   float across = s.slope * abs(hv);
   float c = (size - across) * (size + across);
 #ifdef WIDE_RANGE
-  return ConeFrom(v, p, hv, c, hv + s.height, false);
+  return ConeFrom(v, p, hv, c, hv + s.height, false, vec3(0.0));
 #else
   return ConeFrom(v, p, hv, c, hv + s.height);
 #endif
 }
 
+// The way to the base is not that by the tip: from a point next to a large base, almost nothing would be left of that.
 ConeFrom coneFrom(Cone s, vec3 o) {
 #ifdef WIDE_RANGE
-  return coneFromTip(s, (s.tip - o) + s.tipLow);
+  ConeFrom from = coneFromTip(s, (s.tip - o) + s.tipLow);
+  // Near the camera, what changes on the way there: next to a large cone, nothing large cancels in it.
+  float along = coneAlongAxis(s, o);
+  bool nearBase = dot(o, o) < 0.01 * dot(s.base, s.base);
+  from.toBase = mix(coneAlongAxis(s, (s.base - o) + s.baseLow), s.toBase - along, nearBase);
+  from.near = dot(o, o) < 0.01 * dot(s.tip, s.tip);
+  vec3 w = coneAxis(s);
+  from.change = cross(w, cross(o, w)) - s.slope * s.slope * along * w;
+  float c = s.c + (dotInOrder(o, from.change) - 2.0 * coneAlongGradient(s, o));
+  from.c = mix(from.c, c, from.near);
+  return from;
 #else
-  return coneFromTip(s, s.tip - o);
+  ConeFrom from = coneFromTip(s, s.tip - o);
+  from.toBase = coneAlongAxis(s, s.base - o);
+  return from;
 #endif
 }
 
 ConeFrom coneFromCamera(Cone s) {
 #ifdef WIDE_RANGE
-  return ConeFrom(s.tip, s.p, s.hv, s.c, s.toBase, true);
+  return ConeFrom(s.tip, s.p, s.hv, s.c, s.toBase, true, vec3(0.0));
 #else
   return ConeFrom(s.tip, s.p, s.hv, s.c, s.toBase);
 #endif
@@ -74,7 +96,7 @@ vec2 coneNappe(Cone s, ConeFrom from, vec3 d, float dw) {
   float a = (size - across) * (size + across);
   float b = dotInOrder(d, from.p) - s.slope * s.slope * from.hv * dw;
 #ifdef WIDE_RANGE
-  b = mix(b, s.gradientScale * splitDot(s.gradient1, s.gradient2, s.gradient3, d), from.camera);
+  b = mix(b, coneAlongGradient(s, d) - dotInOrder(from.change, d), from.near);
 #endif
   vec3 m = cross(from.v, d);
   vec3 aside = m - dotInOrder(m, w) * w;

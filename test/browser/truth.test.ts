@@ -16,7 +16,7 @@ const F32 = 2 ** -24;
 declare const RAY_SCENE_FULL: boolean;
 
 const lines = async <T>(file: string): Promise<readonly T[]> =>
-  parseLines<T>(await (await fetch(`/test/truth/data/vectors/${file}.jsonl`)).text());
+  parseLines<T>(await (await fetch(`/test/truth/${file}.jsonl`)).text());
 
 describe('rays on the GPU', function () {
   this.timeout(120_000);
@@ -30,7 +30,7 @@ describe('rays on the GPU', function () {
     const probe = new Probe(device);
     ask = async (problems) => probe.answer(problems);
     // Every other one, which is some of every kind and regime.
-    cases = (await lines<VectorCase>('rays')).filter((_, i) => RAY_SCENE_FULL || i % 2 === 0);
+    cases = (await lines<VectorCase>('data/vectors/rays')).filter((_, i) => RAY_SCENE_FULL || i % 2 === 0);
   });
   after(() => device.dispose());
 
@@ -45,6 +45,17 @@ describe('rays on the GPU', function () {
       expect(brokenLimits(rows, [])).to.deep.equal([]);
     });
   }
+
+  it('that were once off meet what they should', async () => {
+    // See test/unit/truth.test.ts.
+    const found = await lines<VectorCase>('found-rays');
+    const rows = [
+      ...vectorRows('gpu-camera', await judgeCamera(found, ask)),
+      ...vectorRows('gpu-secondary', await judgeSecondary(found, ask)),
+    ];
+    expect(rows).to.not.be.empty;
+    expect(brokenLimits(rows, [])).to.deep.equal([]);
+  });
 
   // Cameras at the start of the ray, next to it, and away from it; each has its own formulas.
   for (const away of [0, 1e-6, 1e-3, 4]) {
@@ -65,7 +76,7 @@ describe('rays on the GPU', function () {
 
   if (isKind('triangle')) {
     it('do not slip through between triangles', async () => {
-      const triangles = await lines<WatertightCase>('watertight');
+      const triangles = await lines<WatertightCase>('data/vectors/watertight');
       const rows = [
         await watertightRow('gpu-camera', triangles, ask),
         await watertightRow('gpu-secondary', triangles, ask),

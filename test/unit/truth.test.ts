@@ -9,8 +9,10 @@ import { brokenLimits, vectorRows } from '../truth/rows.ts';
 import { parseLines, type VectorCase, vectorKinds, type WatertightCase } from '../truth/vector-cases.ts';
 import { askReference, judgeReference, watertightRow } from '../truth/vectors.ts';
 
-const lines = <T>(file: string): readonly T[] =>
-  parseLines(readFileSync(new URL(`../truth/data/${file}.jsonl`, import.meta.url), 'utf8'));
+const read = <T>(file: string): readonly T[] =>
+  parseLines(readFileSync(new URL(`../truth/${file}.jsonl`, import.meta.url), 'utf8'));
+
+const lines = <T>(file: string): readonly T[] => read(`data/${file}`);
 
 const cases = lines<VectorCase>('vectors/rays');
 
@@ -21,6 +23,14 @@ for (const kind of vectorKinds.filter(isKind)) {
     assert.deepEqual(brokenLimits(rows, []), []);
   });
 }
+
+// Made as the README of the data says, with other seeds, and computed with 256 bits by a program that gives the same numbers
+// as the data for theirs. Limits are kept by each of them: there are too few for a percentile.
+test('rays that were once off are where they should be', () => {
+  const found = vectorRows('reference', judgeReference(read<VectorCase>('found-rays')));
+  assert.ok(found.length > 0);
+  assert.deepEqual(brokenLimits(found, []), []);
+});
 
 if (isKind('triangle')) {
   test('no ray slips through between triangles', async () => {

@@ -11,9 +11,21 @@ const slopeOf = ({ base, tip, radius }: Shape<'cone'>): number => radius / lengt
 /** Distance t > 0 along the ray to the nearest part of the surface, or MISS. */
 export function coneDistance(shape: Shape<'cone'>, { origin, direction }: Ray, own: boolean): number {
   const { axis } = coneAxes(shape);
-  const nappe = coneNappe(slopeOf(shape), subtract(shape.tip, origin), axis, direction);
+  const toTip = subtract(shape.tip, origin);
+  const start = approach(toTip, direction, shape);
+  const [first, second] = coneNappe(slopeOf(shape), addScaled(toTip, direction, -start), axis, direction);
   const base = belowPlane(dot(axis, direction), dot(axis, subtract(shape.base, origin)));
-  return convexDistance(bothOf(nappe, base), own);
+  return convexDistance(bothOf([first + start, second + start], base), own);
+}
+
+/**
+ * How far the line runs to where it is nearest to the tip, from outside of the ball around the tip that holds the cone: from
+ * there on, all that cancels is as small as the cone. 0 inside of a ball of twice its area, where a surface may be near.
+ */
+function approach(toTip: Vec3, direction: Vec3, { base, tip, radius }: Shape<'cone'>): number {
+  const axis = subtract(base, tip);
+  const ball = dot(axis, axis) + radius * radius;
+  return dot(toTip, toTip) > 2 * ball ? dot(toTip, direction) / dot(direction, direction) : 0;
 }
 
 /** Where the line is inside of the nappe that holds the base; v leads to the tip. */
