@@ -14,8 +14,6 @@ export interface Task {
   readonly height: number;
   /** Whether samples go where the error is, or evenly. */
   readonly adapts: boolean;
-  /** Where the picture is added to. */
-  readonly sum: number;
 }
 
 export interface Stop {
@@ -56,7 +54,7 @@ export function begin(): void {
 }
 
 /** Draws a picture until one of the rules ends it. */
-export async function stop({ scene, settings, width, height, adapts, sum }: Task): Promise<Stop> {
+export async function stop({ scene, settings, width, height, adapts }: Task): Promise<Stop> {
   AdaptiveOrder.prototype.next = adapts ? next : () => undefined;
   renderer ??= new Renderer(document.createElement('canvas'), device);
   gpuMs = 0;
@@ -73,44 +71,52 @@ export async function stop({ scene, settings, width, height, adapts, sum }: Task
     while (device.clock.busyWith);
     if (failure) throw failure;
   }
-  const picture = renderer.readRadiance();
+  return { reason: renderer.stopped, stats: renderer.stats, gpuMs };
+}
+
+/** Adds the picture that is there to a sum; pictures of either kind have sums of their own. */
+export function keep({ sum, adapts }: { readonly sum: number; readonly adapts: boolean }): void {
+  const picture = (renderer as Renderer).readRadiance();
   sums[sum] ??= new Float64Array(picture.length);
   for (const [i, value] of picture.entries()) (sums[sum] as Float64Array)[i] = (sums[sum]?.[i] as number) + value;
   if (squares.length === 0) squares = new Float64Array(2 * picture.length);
   // Of pictures that were made alike: how they differ is their noise.
   const at = adapts ? picture.length : 0;
   for (const [i, value] of picture.entries()) squares[at + i] = (squares[at + i] as number) + value ** 2;
-  return { reason: renderer.stopped, stats: renderer.stats, gpuMs };
+}
+
+export interface Judged {
+  /** Of even and of adapted pictures. */
+  readonly noise: readonly [number, number];
+  readonly squaredBias: number;
+  /** Standard error of the squared bias, as the pixels tell it. */
+  readonly squaredBiasError: number;
 }
 
 /**
  * Noise and bias of pictures, both relative as `stats.error` is. The sums 0 and 1 are of even ones, 2 and 3 of adapted
  * ones, each of `each` pictures.
  */
-export function judge(each: number): { readonly noise: readonly [number, number]; readonly squaredBias: number } {
-  const [a, b, c, d] = sums as [Float64Array, Float64Array, Float64Array, Float64Array];
+export function judge(each: number): Judged {
+  const all = sums as [Float64Array, Float64Array, Float64Array, Float64Array];
+  const [a] = all;
   const count = 2 * each;
-  const relative = [0, 0];
-  let squaredBias = 0;
-  let values = 0;
+  const relative: [number, number] = [0, 0];
+  const squaredBiases = new Float64Array(a.length / 4);
   for (let i = 0; i < a.length; i++) {
     if (i % 4 === 3) continue;
-    const [one, other, third, fourth] = [a[i], b[i], c[i], d[i]].map((sum) => (sum as number) / each) as [
-      number,
-      number,
-      number,
-      number,
-    ];
-    const mean = (one + other + third + fourth) / 4;
-    const scale = mean ** 2 + 0.01;
+    const [one, other, third, fourth] = all.map((sum) => (sum[i] as number) / each) as [number, number, number, number];
+    const scale = ((one + other + third + fourth) / 4) ** 2 + 0.01;
     for (const [kind, half] of [(one + other) / 2, (third + fourth) / 2].entries()) {
       const variance = ((squares[kind * a.length + i] as number) / count - half ** 2) * (count / (count - 1));
-      relative[kind] = (relative[kind] as number) + variance / scale;
+      relative[kind as 0 | 1] += variance / scale;
     }
     // Each factor has noise of its own, so that the mean of the product has none of it.
-    squaredBias += ((third - one) * (fourth - other)) / scale;
-    values++;
+    squaredBiases[i >> 2] = (squaredBiases[i >> 2] as number) + ((third - one) * (fourth - other)) / scale / 3;
   }
-  const [even, adapted] = relative.map((sum) => Math.sqrt(sum / values)) as [number, number];
-  return { noise: [even, adapted], squaredBias: squaredBias / values };
+  const pixels = squaredBiases.length;
+  const squaredBias = squaredBiases.reduce((sum, value) => sum + value, 0) / pixels;
+  const variance = squaredBiases.reduce((sum, value) => sum + (value - squaredBias) ** 2, 0) / pixels;
+  const [even, adapted] = relative.map((sum) => Math.sqrt(sum / 3 / pixels)) as [number, number];
+  return { noise: [even, adapted], squaredBias, squaredBiasError: Math.sqrt(variance / pixels) };
 }

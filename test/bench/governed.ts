@@ -6,6 +6,7 @@
  */
 import type { RenderSettings } from '@ray-scene/core';
 import type { BenchBrowser, BenchPage } from './browser-pages.ts';
+import { childrenCpuMs } from './cpu-time.ts';
 import type { Stop } from './governed-page.ts';
 
 declare const governed: typeof import('./governed-page.ts');
@@ -13,14 +14,17 @@ declare const governed: typeof import('./governed-page.ts');
 /** The module of the pages that this runs in. */
 export const GOVERNED_PAGE = { entry: 'test/bench/governed-page.ts', name: 'governed' } as const;
 
-/** 40 cells. */
-const SIZE = { width: 256, height: 160 };
-/** Pictures of each kind: half of them in either sum. */
-const EACH = 2;
+/** 96 cells. */
+const SIZE = { width: 192, height: 128 };
+/** Turns in which two pictures of each kind are drawn: so many at most, and none begins after so long. */
+const TURNS = 8;
+const TURNS_MS = 20_000;
 
 export interface Governed {
   readonly scene: string;
   readonly maxError: number;
+  /** Of two even and two adapted pictures each. */
+  readonly turns: number;
   /** True noise over what was asked for, at the stop. */
   readonly evenNoise: number;
   readonly adaptedNoise: number;
@@ -29,7 +33,11 @@ export interface Governed {
   readonly adaptedSamples: number;
   /** GPU time of adapted pictures over that of even ones. */
   readonly timeRatio: number;
-  /** What adapting has biased, over what was asked for; and by how much it may be wrong. */
+  /** The same of all that processors did, where the system tells: it does not depend on what else they had to do. */
+  readonly cpuRatio: number;
+  /** That, times what the square of the true noise was over that of even ones: as if both had ended with the same. */
+  readonly equalRatio: number;
+  /** What adapting has biased, over what was asked for; and what chance alone makes of no bias. */
   readonly bias: number;
   readonly biasError: number;
   /** What ended the pictures; 'error' unless `samples` were too few. */
@@ -64,43 +72,57 @@ export async function measureGoverned(
 }
 
 async function measureScene(page: BenchPage, scene: string, maxError: number, settings: Partial<RenderSettings>) {
-  const stop = (adapts: boolean, seed: number, sum: number, more: Partial<RenderSettings> = {}): Promise<Stop> =>
+  const stop = (adapts: boolean, seed: number, more: Partial<RenderSettings> = {}): Promise<Stop> =>
     page.execute((task) => governed.stop(task), {
       ...SIZE,
       scene,
       settings: { ...settings, seed, ...more },
       adapts,
-      sum,
     });
   // Drivers compile again for what they meet first, as adding to what is there.
-  await stop(true, 1000, 0, { samples: 20 });
+  await stop(true, 1000, { samples: 20 });
   await page.execute(() => governed.begin(), undefined);
-  const turns = { even: [] as Turn[], adapted: [] as Turn[] };
-  for (let i = 0; i < 2 * EACH; i++) {
-    for (const adapts of i % 2 === 0 ? [false, true] : [true, false]) {
-      const sum = (adapts ? 2 : 0) + (i % 2);
-      const { reason, stats, gpuMs } = await stop(adapts, 2 * i + Number(adapts), sum);
-      const turn = { ms: gpuMs, reason, samples: stats.rays / (SIZE.width * SIZE.height) };
-      turns[adapts ? 'adapted' : 'even'].push(turn);
-    }
-  }
-  const { noise, squaredBias } = await page.execute((each) => governed.judge(each), EACH);
-  // The product of the two differences, each of the variance of four pictures, over as many values.
-  const biasError = noise[0] * Math.sqrt(2 / EACH) * (3 * SIZE.width * SIZE.height) ** -0.25;
+  const pictures = { even: [] as Drawn[], adapted: [] as Drawn[] };
+  const draw = async (adapts: boolean, seed: number): Promise<void> => {
+    const before = childrenCpuMs();
+    const { reason, stats, gpuMs } = await stop(adapts, seed);
+    const after = childrenCpuMs();
+    const cpuMs = before === undefined || after === undefined ? gpuMs : after - before;
+    await page.execute((picture) => governed.keep(picture), { sum: (adapts ? 2 : 0) + (seed % 2), adapts });
+    const samples = stats.rays / (SIZE.width * SIZE.height);
+    pictures[adapts ? 'adapted' : 'even'].push({ gpuMs, cpuMs, reason, samples });
+  };
+  const end = performance.now() + TURNS_MS;
+  let turn = 0;
+  do {
+    // In turn first and last, so that a machine which becomes busier favours neither. No two have one seed.
+    for (const [i, adapts] of [false, true, true, false].entries())
+      await draw(adapts, 4 * turn + 2 * (i & 1) + (i >> 1));
+    turn++;
+  } while (turn < TURNS && performance.now() < end);
+  const { noise, squaredBias, squaredBiasError } = await page.execute((each) => governed.judge(each), turn);
+  const ratioOf = (value: (picture: Drawn) => number): number =>
+    mean(pictures.adapted.map(value)) / mean(pictures.even.map(value));
+  const [evenNoise, adaptedNoise] = noise.map((error) => error / maxError) as [number, number];
+  const cpuRatio = ratioOf(({ cpuMs }) => cpuMs);
   return {
-    evenNoise: noise[0] / maxError,
-    adaptedNoise: noise[1] / maxError,
-    evenSamples: mean(turns.even.map((turn) => turn.samples)),
-    adaptedSamples: mean(turns.adapted.map((turn) => turn.samples)),
-    timeRatio: mean(turns.adapted.map(({ ms }) => ms)) / mean(turns.even.map(({ ms }) => ms)),
+    turns: turn,
+    evenNoise,
+    adaptedNoise,
+    evenSamples: mean(pictures.even.map(({ samples }) => samples)),
+    adaptedSamples: mean(pictures.adapted.map(({ samples }) => samples)),
+    timeRatio: ratioOf(({ gpuMs }) => gpuMs),
+    cpuRatio,
+    equalRatio: cpuRatio * (adaptedNoise / evenNoise) ** 2,
     bias: Math.sqrt(Math.max(0, squaredBias)) / maxError,
-    biasError: biasError / maxError,
-    reasons: [...new Set([...turns.even, ...turns.adapted].map(({ reason }) => reason))],
+    biasError: Math.sqrt(squaredBiasError) / maxError,
+    reasons: [...new Set([...pictures.even, ...pictures.adapted].map(({ reason }) => reason))],
   };
 }
 
-interface Turn {
-  readonly ms: number;
+interface Drawn {
+  readonly gpuMs: number;
+  readonly cpuMs: number;
   readonly samples: number;
   readonly reason: string;
 }
@@ -109,13 +131,25 @@ const mean = (values: readonly number[]): number => values.reduce((a, b) => a + 
 
 const median = (values: readonly number[]): number => [...values].sort((a, b) => a - b)[values.length >> 1] as number;
 
-const WIDTH = 11;
+const WIDTH = 9;
 
 function printHead(maxError: number): void {
   console.log(
     `\nmax-error ${maxError} at ${SIZE.width} × ${SIZE.height}: even and adapted; noise and bias over what was asked`,
   );
-  const names = ['samples', 'adapted', 'time ratio', 'noise', 'adapted', 'bias', '±', 'end'];
+  const names = [
+    'samples',
+    'adapted',
+    'GPU time',
+    'CPU time',
+    'equal',
+    'noise',
+    'adapted',
+    'bias',
+    '±',
+    'turns',
+    'end',
+  ];
   console.log(''.padEnd(16) + names.map((name) => name.padStart(WIDTH)).join(''));
 }
 
@@ -124,10 +158,13 @@ function print(row: Governed): void {
     row.evenSamples.toFixed(0),
     row.adaptedSamples.toFixed(0),
     row.timeRatio.toFixed(2),
+    row.cpuRatio.toFixed(2),
+    row.equalRatio.toFixed(2),
     row.evenNoise.toFixed(2),
     row.adaptedNoise.toFixed(2),
     row.bias.toFixed(3),
     row.biasError.toFixed(3),
+    row.turns.toFixed(0),
     row.reasons.join(' '),
   ];
   console.log(row.scene.padEnd(16) + cells.map((cell) => cell.padStart(WIDTH)).join(''));
@@ -135,10 +172,17 @@ function print(row: Governed): void {
 
 /** How far the noise at the stop may be from what was asked. */
 const TOLERANCE = 0.25;
+/** What part of what was asked the bias may be. */
+const MOST_BIAS = 0.1;
 
 function printFoot(rows: readonly Governed[]): void {
   const near = rows.filter(({ adaptedNoise }) => Math.abs(adaptedNoise - 1) <= TOLERANCE).length;
   const enough = rows.filter(({ reasons }) => !reasons.includes('samples')).length;
-  console.log(`median time ratio ${median(rows.map(({ timeRatio }) => timeRatio)).toFixed(2)}`);
+  const medianOf = (value: (row: Governed) => number): string => median(rows.map(value)).toFixed(2);
+  const times = [medianOf((row) => row.timeRatio), medianOf((row) => row.cpuRatio), medianOf((row) => row.equalRatio)];
+  console.log(`medians of GPU time ${times[0]}, CPU time ${times[1]}, CPU time for equal noise ${times[2]}`);
   console.log(`noise at the stop within a quarter of what was asked: ${near} of ${rows.length}, ${enough} ended by it`);
+  const sides = rows.map(({ bias, biasError }) => (bias ** 2 - MOST_BIAS ** 2) / (2 * biasError ** 2));
+  const [below, above] = [sides.filter((side) => side < -1).length, sides.filter((side) => side > 1).length];
+  console.log(`bias by two standard errors below ${MOST_BIAS} of what was asked: ${below}, above it: ${above}`);
 }

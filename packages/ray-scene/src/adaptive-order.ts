@@ -7,7 +7,7 @@
  * it takes (mean s)² / (mean s²) of the samples that it would take if all cells had equally many.
  *
  * Whoever decides by samples how many there are to be makes their mean biased: a cell that looks calm by luck gets few
- * more. Here all 3072 numbers of a cell decide together, so that one pixel says little about its own count, and no cell
+ * more. Here all 768 numbers of a cell decide together, so that one pixel says little about its own count, and no cell
  * passes for calmer than CALMEST. What is left of the bias is measured by `npm run bench -- --adaptive`.
  */
 import type { Cells, Tile } from './cells.ts';

@@ -54,15 +54,21 @@ export async function measureCalibration(
   console.log(`\nestimated over true noise at ${samples.join(', ')} samples, ${seeds} pictures of 96 × 64 pixels`);
   const subjects = [...gallerySubjects(scenes), ...(truth ? await truthSubjects() : [])];
   const rows: Calibration[] = [];
-  for (const { name, subject } of subjects) {
-    const page = await browser.open();
-    const known = await page.execute((task) => calibration.calibrate(task), { subject, samples, seeds });
-    await page.close();
-    const ofScene = rowsOf({ name, subject }, samples, known);
-    printRows(ofScene);
-    rows.push(...ofScene);
-  }
+  for (const one of subjects) rows.push(...(await measureSubject(browser, one, { samples, seeds })));
   printFoot(rows);
+  return rows;
+}
+
+export async function measureSubject(
+  browser: BenchBrowser,
+  { name, subject }: BenchSubject,
+  { samples, seeds }: Pick<CalibrationPlan, 'samples' | 'seeds'>,
+): Promise<readonly Calibration[]> {
+  const page = await browser.open();
+  const known = await page.execute((task) => calibration.calibrate(task), { subject, samples, seeds });
+  await page.close();
+  const rows = rowsOf({ name, subject }, samples, known);
+  printRows(rows);
   return rows;
 }
 
