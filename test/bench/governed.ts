@@ -5,6 +5,7 @@
  * is what adapting has biased.
  */
 import type { RenderSettings } from '@ray-scene/core';
+import { FEWEST_SAMPLES } from '../../packages/ray-scene/src/stop-rules.ts';
 import type { BenchBrowser, BenchPage } from './browser-pages.ts';
 import { childrenCpuMs } from './cpu-time.ts';
 import type { Stop } from './governed-page.ts';
@@ -15,7 +16,7 @@ declare const governed: typeof import('./governed-page.ts');
 export const GOVERNED_PAGE = { entry: 'test/bench/governed-page.ts', name: 'governed' } as const;
 
 /** 96 cells. */
-const SIZE = { width: 192, height: 128 };
+export const SIZE = { width: 192, height: 128 };
 /** Turns in which two pictures of each kind are drawn: so many at most, and none begins after so long. */
 const TURNS = 8;
 const TURNS_MS = 20_000;
@@ -175,14 +176,38 @@ const TOLERANCE = 0.25;
 /** What part of what was asked the bias may be. */
 const MOST_BIAS = 0.1;
 
-function printFoot(rows: readonly Governed[]): void {
-  const near = rows.filter(({ adaptedNoise }) => Math.abs(adaptedNoise - 1) <= TOLERANCE).length;
-  const enough = rows.filter(({ reasons }) => !reasons.includes('samples')).length;
-  const medianOf = (value: (row: Governed) => number): string => median(rows.map(value)).toFixed(2);
-  const times = [medianOf((row) => row.timeRatio), medianOf((row) => row.cpuRatio), medianOf((row) => row.equalRatio)];
-  console.log(`medians of GPU time ${times[0]}, CPU time ${times[1]}, CPU time for equal noise ${times[2]}`);
-  console.log(`noise at the stop within a quarter of what was asked: ${near} of ${rows.length}, ${enough} ended by it`);
+/** What rows of the same wish say together. */
+export function stoppingOf(rows: readonly Governed[]) {
+  const medianOf = (value: (row: Governed) => number): number => median(rows.map(value));
   const sides = rows.map(({ bias, biasError }) => (bias ** 2 - MOST_BIAS ** 2) / (2 * biasError ** 2));
-  const [below, above] = [sides.filter((side) => side < -1).length, sides.filter((side) => side > 1).length];
+  return {
+    /** Medians of the time of the GPU, of that of processors, and of the latter for equal noise. */
+    times: [
+      medianOf(({ timeRatio }) => timeRatio),
+      medianOf(({ cpuRatio }) => cpuRatio),
+      medianOf(({ equalRatio }) => equalRatio),
+    ],
+    /** How many end with about the noise that was asked for. */
+    near: rows.filter(({ adaptedNoise }) => Math.abs(adaptedNoise - 1) <= TOLERANCE).length,
+    /** How many have less, since they could not end earlier. */
+    early: rows.filter(
+      ({ adaptedNoise, evenSamples }) => adaptedNoise < 1 - TOLERANCE && evenSamples < FEWEST_SAMPLES + 2,
+    ).length,
+    /** How many ended for no other reason. */
+    enough: rows.filter(({ reasons }) => !reasons.includes('samples')).length,
+    /** How many are sure, by two standard errors, to have a bias below the limit, or above it. */
+    below: sides.filter((side) => side < -1).length,
+    above: sides.filter((side) => side > 1).length,
+  };
+}
+
+function printFoot(rows: readonly Governed[]): void {
+  const { times, near, early, enough, below, above } = stoppingOf(rows);
+  const [gpu, cpu, equal] = times.map((time) => time.toFixed(2));
+  console.log(`medians of GPU time ${gpu}, CPU time ${cpu}, CPU time for equal noise ${equal}`);
+  console.log(
+    `noise at the stop within a quarter of what was asked: ${near} of ${rows.length}; less with the fewest samples`,
+  );
+  console.log(`that may be: ${early}; ended by noise: ${enough}`);
   console.log(`bias by two standard errors below ${MOST_BIAS} of what was asked: ${below}, above it: ${above}`);
 }
