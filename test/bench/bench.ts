@@ -31,7 +31,7 @@ const SETTINGS: { readonly [scene: string]: Partial<RenderSettings> } = {
   classic: { integrator: 'direct', bounces: 10 },
 };
 
-const QUICK: Plan = { coldStarts: 2, rounds: 9, turnMs: 100 };
+const QUICK: Plan = { coldStarts: 1, rounds: 5, turnMs: 100 };
 const THOROUGH: Plan = { coldStarts: 9, rounds: 31, turnMs: 400 };
 
 function scenesToBench(scene: string | undefined): readonly SceneToBench[] {

@@ -13,7 +13,7 @@ Times of samples are ${time}. They are of this machine and its load: compare rat
 
 export function printScenes(scenes: { readonly [scene: string]: Measured }, plan: Plan): void {
   console.log(`
-ms, medians; pictures of 300 × 300; first frames of ${plan.coldStarts} starts, samples of ${plan.rounds} turns
+ms, medians; pictures of 300 × 300; starts: ${plan.coldStarts}, samples of ${plan.rounds} turns
 ${line(['scene', 'shader chars', 'compile', 'first frame', 'ms/sample', 'wall', 'ratio to floor'])}`);
   for (const [name, measured] of Object.entries(scenes)) {
     const { shaderChars, compileMs, firstFrameMs, floorCompileMs, floorFirstFrameMs, at600 } = measured;

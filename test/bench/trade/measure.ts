@@ -37,7 +37,7 @@ export const QUICK_TRADE: TradePlan = {
   settingMs: 300,
   turns: 3,
   turnMs: 30,
-  mostSamples: 64,
+  mostSamples: 16,
 };
 
 export interface Measured extends Accuracy {
