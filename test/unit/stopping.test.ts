@@ -86,6 +86,13 @@ test('cells of half the spread get half the samples, calm ones a quarter of the 
   assert.ok(cells.counts.every((count) => count === 400));
 });
 
+test('cells that are nearly alike get equally many: smaller tiles would take longer', () => {
+  const cells = new Cells(128, 32);
+  cells.add(cells.whole);
+  assert.equal(new AdaptiveOrder(noiseOf(cells, [1, 0.8, 1.1, 0.9])).next(cells, 4, 100), undefined);
+  assert.notEqual(new AdaptiveOrder(noiseOf(cells, [1, 0.3, 1.1, 0.9])).next(cells, 4, 100), undefined);
+});
+
 test('without noise nobody is to have more than others', () => {
   const cells = new Cells(64, 64);
   cells.add(cells.whole);

@@ -15,6 +15,11 @@ import type { Noise } from './noise-meter.ts';
 
 /** Least spread of a cell, as a part of the root mean square of all: a lamp that few paths find may not be found yet. */
 const CALMEST = 0.25;
+/**
+ * Where all cells alike need hardly more samples than this part of theirs, they get equally many: many small tiles take
+ * longer than a few large ones.
+ */
+const WORTH = 0.9;
 /** Goals are set for so many more samples at a time, as a part of those that there are. */
 const WAVE = 0.05;
 /** Steps of spreads, for each factor of two: neighbours with equally many samples are drawn together. */
@@ -26,26 +31,26 @@ export class AdaptiveOrder {
   /** Root of the mean relative variance of a sample, by cell. */
   readonly #spreads: Float64Array;
   readonly #goals: Uint32Array;
-  readonly #largest: number;
+  readonly #pays: boolean;
   /** Where the last tile ended. */
   #at = 0;
 
   /** @param noise of the picture, as last measured. */
   constructor({ cells, counts }: Pick<Noise, 'cells' | 'counts'>) {
     const spreads = Float64Array.from(cells, (error, i) => error * Math.sqrt(counts[i] as number));
-    const meanSquare = spreads.reduce((sum, spread) => sum + spread ** 2, 0) / spreads.length;
-    const calmest = CALMEST * Math.sqrt(meanSquare);
+    const calmest = CALMEST * Math.sqrt(meanOf(spreads.map((spread) => spread ** 2)));
     this.#spreads = spreads.map((spread) => inSteps(Math.max(spread, calmest)));
-    this.#largest = Math.max(...this.#spreads);
+    this.#pays = meanOf(this.#spreads) ** 2 < WORTH * meanOf(this.#spreads.map((spread) => spread ** 2));
     this.#goals = new Uint32Array(cells.length);
   }
 
   /**
-   * The next tile to draw, of at most so many cells; undefined: all have as many samples as they may have, or none has
-   * any noise.
+   * The next tile to draw, of at most so many cells; undefined: all have as many samples as they may have, or are so much
+   * alike that they are to have equally many.
    * @param cap samples that a pixel is to have at most.
    */
   next(cells: Cells, most: number, cap: number): Tile | undefined {
+    if (!this.#pays) return undefined;
     return this.#tile(cells, most) ?? (this.#setGoals(cells, cap) ? this.#tile(cells, most) : undefined);
   }
 
@@ -66,11 +71,10 @@ export class AdaptiveOrder {
 
   /** Distributes a wave of samples so that the counts come as near to being proportional to spreads as they can. */
   #setGoals(cells: Cells, cap: number): boolean {
-    if (this.#largest === 0) return false;
+    const pixels = Array.from(cells.counts, (_, i) => cells.pixelsOf({ first: i, count: 1 }));
     const wanted = (factor: number, i: number) =>
       Math.max(cells.counts[i] as number, Math.min(cap, evenly(factor * (this.#spreads[i] as number))));
-    const raysWith = (factor: number) =>
-      cells.counts.reduce((sum, _, i) => sum + wanted(factor, i) * cells.pixelsOf({ first: i, count: 1 }), 0);
+    const raysWith = (factor: number) => pixels.reduce((sum, ofCell, i) => sum + wanted(factor, i) * ofCell, 0);
     const rays = (1 + WAVE) * cells.rays;
     let [low, high] = [0, cap / calmestOf(this.#spreads)];
     for (let i = 0; i < HALVINGS; i++) {
@@ -82,6 +86,8 @@ export class AdaptiveOrder {
     return this.#goals.some((goal, i) => goal > (cells.counts[i] as number));
   }
 }
+
+const meanOf = (values: Float64Array): number => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 const calmestOf = (spreads: Float64Array): number => spreads.reduce((a, b) => Math.min(a, b));
 
