@@ -24,6 +24,8 @@ const TURNS_MS = 20_000;
 export interface Governed {
   readonly scene: string;
   readonly maxError: number;
+  readonly width: number;
+  readonly height: number;
   /** Of two even and two adapted pictures each. */
   readonly turns: number;
   /** True noise over what was asked for, at the stop. */
@@ -107,6 +109,7 @@ async function measureScene(page: BenchPage, scene: string, maxError: number, se
   const [evenNoise, adaptedNoise] = noise.map((error) => error / maxError) as [number, number];
   const cpuRatio = ratioOf(({ cpuMs }) => cpuMs);
   return {
+    ...SIZE,
     turns: turn,
     evenNoise,
     adaptedNoise,

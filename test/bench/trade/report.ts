@@ -1,6 +1,6 @@
 /** `docs/what-accuracy-costs.md`, as text. */
 import { type Calibration, isRight } from '../calibration/calibration.ts';
-import { type Governed, SIZE, stoppingOf } from '../governed.ts';
+import { type Governed, stoppingOf } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
 import type { Measured, SceneTrade, Trade } from './measure.ts';
 import { PROMISED, type Preset } from './presets.ts';
@@ -137,6 +137,7 @@ function stoppingSection(stopping: readonly Governed[]): string {
   const rows = stopping.map((row) => [
     row.scene,
     percent(row.maxError),
+    `${row.width} × ${row.height}`,
     row.evenSamples.toFixed(0),
     row.adaptedSamples.toFixed(0),
     row.timeRatio.toFixed(2),
@@ -150,8 +151,7 @@ function stoppingSection(stopping: readonly Governed[]): string {
   const asked = [...new Set(stopping.map(({ maxError }) => maxError))];
   return `## What comes of \`max-error\`
 
-Pictures of ${SIZE.width} × ${SIZE.height} that end when they say that their noise is what was asked, or with the samples that were
-allowed. With it, samples go where the error is from the 16th on: their mean over the pixels is beside that of pictures in which
+Pictures that end when they say that their noise is what was asked, or with the samples that were allowed. With it, samples go where the error is from the 16th on: their mean over the pixels is beside that of pictures in which
 they do not. The times are over those of such pictures: that of the GPU on the clock, that which all processors spent, and the
 latter as if both had ended with the same true noise. Noise and bias are told over the error that was asked for. The noise is
 that which several pictures have between them; the bias is by how much adapted pictures differ in the mean from others, which
@@ -159,7 +159,7 @@ stop by the same rule, and behind it stands what chance alone makes of none.
 
 ${asked.map((error) => stoppingSummary(stopping.filter(({ maxError }) => maxError === error))).join('\n')}
 
-${table(['scene', 'asked', 'samples', 'adapted', 'GPU time', 'CPU time', 'for equal noise', 'noise', 'adapted', 'bias', 'end'], rows)}`;
+${table(['scene', 'asked', 'pixels', 'samples', 'adapted', 'GPU time', 'CPU time', 'for equal noise', 'noise', 'adapted', 'bias', 'end'], rows)}`;
 }
 
 function stoppingSummary(rows: readonly Governed[]): string {
