@@ -3,8 +3,9 @@ import { describe, it } from 'node:test';
 import { hash } from '../../packages/core/src/random.ts';
 import { relativeNoise, tailIndex } from '../bench/calibration/tail.ts';
 import { readOptions, USAGE } from '../bench/options.ts';
-import { beating, type Choice, frontOf } from '../bench/trade/front.ts';
-import { BASE } from '../bench/trade/knobs.ts';
+import { beating, type Choice, frontOf, sceneChoices } from '../bench/trade/front.ts';
+import { BASE, type Setting } from '../bench/trade/knobs.ts';
+import type { Measured } from '../bench/trade/measure.ts';
 import { plotTrade } from '../bench/trade/plots.ts';
 import { biasOf, noiseOf, psnr, Spread } from '../bench/trade/statistics.ts';
 import { normalRandom } from './normal-random.ts';
@@ -106,6 +107,37 @@ describe('the front', () => {
   it('forgives a tenth', () => {
     assert.deepEqual(beating(choice(4.3, 0.5), choices), []);
     assert.deepEqual(beating(choice(4.5, 0.5), choices), [choice(4, 0.1)]);
+  });
+
+  it('knows that paths of more bounces leave out no more light', () => {
+    const measured = (change: Partial<Setting>, bias: number): Measured => ({
+      name: '',
+      knob: 'bounces',
+      setting: { ...BASE, ...change },
+      shaderChars: 1,
+      compileMs: 1,
+      firstFrameMs: 1,
+      msPerSample: 1,
+      msSpread: 0,
+      msPerFrame: 1,
+      msPerFrameSpread: 0,
+      seeds: 2,
+      points: [{ samples: 16, noise: 0, noiseOfAll: 0, rareShare: 0, psnr: 1, flip: 0 }],
+      bias,
+      biasAtMost: 1,
+    });
+    const settings = [
+      measured({ bounces: 16 }, 0.3),
+      measured({ bounces: 2 }, 0.5),
+      measured({ bounces: 6 }, 0.1),
+      measured({ bounces: 16, clamp: 1 }, 0.4),
+      measured({ bounces: 64, integrator: 'direct' }, 0.6),
+    ];
+    const errors = sceneChoices({ settings }).filter(({ samples }) => samples === 16);
+    assert.deepEqual(
+      errors.map(({ error }) => error),
+      [0.1, 0.5, 0.1, 0.4, 0.6],
+    );
   });
 
   it('is drawn as a picture that stands by itself', () => {

@@ -56,9 +56,9 @@ export type RenderSettings = Values<typeof settingsFields>;
 
 /** What each quality puts in the place of defaults; `balanced` is these themselves. */
 export const qualities: { readonly [Q in RenderSettings['quality']]: Partial<RenderSettings> } = {
-  draft: { integrator: 'direct', bounces: 4, samples: 16 },
+  draft: { integrator: 'direct', bounces: 4, samples: 4 },
   balanced: {},
-  accurate: { bounces: 16, samples: 4096, maxError: 0.01 },
+  accurate: { samples: 1024, maxError: 0.01 },
   reference: { bounces: 16, samples: 16_384, maxError: 0.002 },
 };
 
