@@ -151,11 +151,12 @@ function stoppingSection(stopping: readonly Governed[]): string {
   const asked = [...new Set(stopping.map(({ maxError }) => maxError))];
   return `## What comes of \`max-error\`
 
-Pictures that end when they say that their noise is what was asked, or with the samples that were allowed. With it, samples go where the error is from the 16th on: their mean over the pixels is beside that of pictures in which
-they do not. The times are over those of such pictures: that of the GPU on the clock, that which all processors spent, and the
-latter as if both had ended with the same true noise. Noise and bias are told over the error that was asked for. The noise is
-that which several pictures have between them; the bias is by how much adapted pictures differ in the mean from others, which
-stop by the same rule, and behind it stands what chance alone makes of none.
+Pictures that end when they say that their noise is what was asked, or with the samples that were allowed. With it, samples go
+where the error is from the 16th on: their mean over the pixels is beside that of pictures in which they do not. The times are
+over those of such pictures: that of the GPU on the clock, that which all processors spent, and the latter as if both had ended
+with the same true noise. Noise and bias are told over the error that was asked for. The noise is that which several pictures have
+between them; the bias is by how much adapted pictures differ in the mean from others, which stop by the same rule, and behind
+it stands what chance alone makes of none.
 
 ${asked.map((error) => stoppingSummary(stopping.filter(({ maxError }) => maxError === error))).join('\n')}
 
