@@ -9,7 +9,7 @@ export class ProgressReport {
   readonly complete = new Milestone();
   readonly #host: EventTarget;
   #loads = true;
-  /** Whether there are samples of which nobody was told that they are all. */
+  /** Whether there is more to tell, though it be less than a sample of each pixel, before the picture is complete. */
   #grows = false;
 
   constructor(host: EventTarget) {
@@ -29,7 +29,7 @@ export class ProgressReport {
       this.#loads = false;
     }
     if (added) this.#host.dispatchEvent(new RaySceneProgressEvent('progress', samples, total));
-    this.#grows ||= added;
+    this.#grows ||= added || more;
     if (more || !stopped) {
       this.complete.renew();
       return;
