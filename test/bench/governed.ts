@@ -15,17 +15,22 @@ declare const governed: typeof import('./governed-page.ts');
 /** The module of the pages that this runs in. */
 export const GOVERNED_PAGE = { entry: 'test/bench/governed-page.ts', name: 'governed' } as const;
 
-/** 96 cells. */
-export const SIZE = { width: 192, height: 128 };
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** 96 cells; 40 where many samples are wanted, so that there is time for several pictures. */
+const sizeFor = (maxError: number): Size =>
+  maxError < 0.03 ? { width: 128, height: 80 } : { width: 192, height: 128 };
+
 /** Turns in which two pictures of each kind are drawn: so many at most, and none begins after so long. */
 const TURNS = 8;
 const TURNS_MS = 20_000;
 
-export interface Governed {
+export interface Governed extends Size {
   readonly scene: string;
   readonly maxError: number;
-  readonly width: number;
-  readonly height: number;
   /** Of two even and two adapted pictures each. */
   readonly turns: number;
   /** True noise over what was asked for, at the stop. */
@@ -40,9 +45,9 @@ export interface Governed {
   readonly cpuRatio: number;
   /** That, times what the square of the true noise was over that of even ones: as if both had ended with the same. */
   readonly equalRatio: number;
-  /** What adapting has biased, over what was asked for; and what chance alone makes of no bias. */
-  readonly bias: number;
-  readonly biasError: number;
+  /** The square of what adapting has biased over what was asked for, without noise in the mean; and its standard error. */
+  readonly squaredBias: number;
+  readonly squaredBiasError: number;
   /** What ended the pictures; 'error' unless `samples` were too few. */
   readonly reasons: readonly string[];
 }
@@ -75,9 +80,10 @@ export async function measureGoverned(
 }
 
 async function measureScene(page: BenchPage, scene: string, maxError: number, settings: Partial<RenderSettings>) {
+  const size = sizeFor(maxError);
   const stop = (adapts: boolean, seed: number, more: Partial<RenderSettings> = {}): Promise<Stop> =>
     page.execute((task) => governed.stop(task), {
-      ...SIZE,
+      ...size,
       scene,
       settings: { ...settings, seed, ...more },
       adapts,
@@ -92,7 +98,7 @@ async function measureScene(page: BenchPage, scene: string, maxError: number, se
     const after = childrenCpuMs();
     const cpuMs = before === undefined || after === undefined ? gpuMs : after - before;
     await page.execute((picture) => governed.keep(picture), { sum: (adapts ? 2 : 0) + (seed % 2), adapts });
-    const samples = stats.rays / (SIZE.width * SIZE.height);
+    const samples = stats.rays / (size.width * size.height);
     pictures[adapts ? 'adapted' : 'even'].push({ gpuMs, cpuMs, reason, samples });
   };
   const end = performance.now() + TURNS_MS;
@@ -109,7 +115,7 @@ async function measureScene(page: BenchPage, scene: string, maxError: number, se
   const [evenNoise, adaptedNoise] = noise.map((error) => error / maxError) as [number, number];
   const cpuRatio = ratioOf(({ cpuMs }) => cpuMs);
   return {
-    ...SIZE,
+    ...size,
     turns: turn,
     evenNoise,
     adaptedNoise,
@@ -118,8 +124,8 @@ async function measureScene(page: BenchPage, scene: string, maxError: number, se
     timeRatio: ratioOf(({ gpuMs }) => gpuMs),
     cpuRatio,
     equalRatio: cpuRatio * (adaptedNoise / evenNoise) ** 2,
-    bias: Math.sqrt(Math.max(0, squaredBias)) / maxError,
-    biasError: Math.sqrt(squaredBiasError) / maxError,
+    squaredBias: squaredBias / maxError ** 2,
+    squaredBiasError: squaredBiasError / maxError ** 2,
     reasons: [...new Set([...pictures.even, ...pictures.adapted].map(({ reason }) => reason))],
   };
 }
@@ -138,9 +144,8 @@ const median = (values: readonly number[]): number => [...values].sort((a, b) =>
 const WIDTH = 9;
 
 function printHead(maxError: number): void {
-  console.log(
-    `\nmax-error ${maxError} at ${SIZE.width} × ${SIZE.height}: even and adapted; noise and bias over what was asked`,
-  );
+  const { width, height } = sizeFor(maxError);
+  console.log(`\nmax-error ${maxError} at ${width} × ${height}: even and adapted; noise and bias over what was asked`);
   const names = [
     'samples',
     'adapted',
@@ -166,8 +171,8 @@ function print(row: Governed): void {
     row.equalRatio.toFixed(2),
     row.evenNoise.toFixed(2),
     row.adaptedNoise.toFixed(2),
-    row.bias.toFixed(3),
-    row.biasError.toFixed(3),
+    biasOf(row).toFixed(3),
+    chanceOf(row).toFixed(3),
     row.turns.toFixed(0),
     row.reasons.join(' '),
   ];
@@ -179,10 +184,28 @@ const TOLERANCE = 0.25;
 /** What part of what was asked the bias may be. */
 const MOST_BIAS = 0.1;
 
+type SquaredBias = Pick<Governed, 'squaredBias' | 'squaredBiasError'>;
+
+export const biasOf = ({ squaredBias }: SquaredBias): number => Math.sqrt(Math.max(0, squaredBias));
+
+/** What chance alone makes of no bias, as large as one standard error. */
+export const chanceOf = ({ squaredBiasError }: SquaredBias): number => Math.sqrt(squaredBiasError);
+
+/** Of the mean of squares: what several scenes have together is known better than what each has. */
+function pooled(rows: readonly SquaredBias[]): SquaredBias {
+  return {
+    squaredBias: mean(rows.map(({ squaredBias }) => squaredBias)),
+    squaredBiasError: Math.hypot(...rows.map(({ squaredBiasError }) => squaredBiasError)) / rows.length,
+  };
+}
+
 /** What rows of the same wish say together. */
 export function stoppingOf(rows: readonly Governed[]) {
   const medianOf = (value: (row: Governed) => number): number => median(rows.map(value));
-  const sides = rows.map(({ bias, biasError }) => (bias ** 2 - MOST_BIAS ** 2) / (2 * biasError ** 2));
+  const sideOf = ({ squaredBias, squaredBiasError }: SquaredBias): number =>
+    (squaredBias - MOST_BIAS ** 2) / (2 * squaredBiasError);
+  const sides = rows.map(sideOf);
+  const together = pooled(rows);
   return {
     /** Medians of the time of the GPU, of that of processors, and of the latter for equal noise. */
     times: [
@@ -201,11 +224,14 @@ export function stoppingOf(rows: readonly Governed[]) {
     /** How many are sure, by two standard errors, to have a bias below the limit, or above it. */
     below: sides.filter((side) => side < -1).length,
     above: sides.filter((side) => side > 1).length,
+    /** Root of the mean of the squared biases, and what it may be by two standard errors. */
+    bias: biasOf(together),
+    biasAtMost: Math.sqrt(Math.max(0, together.squaredBias) + 2 * together.squaredBiasError),
   };
 }
 
 function printFoot(rows: readonly Governed[]): void {
-  const { times, near, early, enough, below, above } = stoppingOf(rows);
+  const { times, near, early, enough, below, above, bias, biasAtMost } = stoppingOf(rows);
   const [gpu, cpu, equal] = times.map((time) => time.toFixed(2));
   console.log(`medians of GPU time ${gpu}, CPU time ${cpu}, CPU time for equal noise ${equal}`);
   console.log(
@@ -213,4 +239,5 @@ function printFoot(rows: readonly Governed[]): void {
   );
   console.log(`that may be: ${early}; ended by noise: ${enough}`);
   console.log(`bias by two standard errors below ${MOST_BIAS} of what was asked: ${below}, above it: ${above}`);
+  console.log(`bias of all together: ${bias.toFixed(3)} of what was asked, at most ${biasAtMost.toFixed(3)}`);
 }

@@ -1,6 +1,6 @@
 /** `docs/what-accuracy-costs.md`, as text. */
 import { type Calibration, isRight } from '../calibration/calibration.ts';
-import { type Governed, stoppingOf } from '../governed.ts';
+import { biasOf, chanceOf, type Governed, stoppingOf } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
 import type { Measured, SceneTrade, Trade } from './measure.ts';
 import { PROMISED, type Preset } from './presets.ts';
@@ -145,7 +145,7 @@ function stoppingSection(stopping: readonly Governed[]): string {
     row.equalRatio.toFixed(2),
     row.evenNoise.toFixed(2),
     row.adaptedNoise.toFixed(2),
-    `${row.bias.toFixed(2)} ± ${row.biasError.toFixed(2)}`,
+    `${biasOf(row).toFixed(2)} ± ${chanceOf(row).toFixed(2)}`,
     row.reasons.join(', '),
   ]);
   const asked = [...new Set(stopping.map(({ maxError }) => maxError))];
@@ -164,11 +164,12 @@ ${table(['scene', 'asked', 'pixels', 'samples', 'adapted', 'GPU time', 'CPU time
 }
 
 function stoppingSummary(rows: readonly Governed[]): string {
-  const { times, near, early, below, above } = stoppingOf(rows);
+  const { times, near, early, below, above, bias, biasAtMost } = stoppingOf(rows);
   const [gpu, cpu, equal] = times.map((time) => time.toFixed(2));
   return `- Asked for ${percent(rows[0]?.maxError ?? 0)}, ${rows.length} scenes: the medians are ${gpu} of the GPU's time, ${cpu} of the processors', and ${equal} for equal
   noise. The true noise is within a quarter of what was asked in ${near}; in ${early} the fewest samples that are ever drawn are enough, and
-  it is below. The bias is below a tenth of what was asked by two standard errors in ${below}, above it by two in ${above}.`;
+  it is below. The bias is below a tenth of what was asked by two standard errors in ${below}, above it by two in ${above}; of all scenes together (the root of the mean of the squares) it is ${bias.toFixed(2)}, and
+  at most ${biasAtMost.toFixed(2)}.`;
 }
 
 function sceneSection(name: string, scene: SceneTrade, plot: string): string {
