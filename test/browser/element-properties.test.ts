@@ -107,6 +107,20 @@ describe('properties of <ray-scene>', () => {
     expect(element.settings).to.include({ exposure: 3, toneMapping: 'neutral', samples: 2, bounces: 6 });
   });
 
+  it('are those of a quality unless they are given themselves', async () => {
+    const element = document.createElement('ray-scene');
+    expect(element.settings).to.include({ quality: 'balanced', samples: 256 });
+    expect(element.settings).to.not.have.property('maxError');
+    element.quality = 'accurate';
+    expect(element.settings).to.include({ samples: 1024, maxError: 0.01, bounces: 6 });
+    element.maxError = 0.05;
+    expect(element.settings).to.include({ samples: 1024, maxError: 0.05 });
+    element.setAttribute('quality', 'draft');
+    expect(element.settings).to.include({ integrator: 'direct', bounces: 4, samples: 4 });
+    element.integrator = 'path';
+    expect(element.settings).to.include({ integrator: 'path', bounces: 4, samples: 4 });
+  });
+
   it('reflect if they are flags or choices', async () => {
     const element = await sceneWith('');
     expect(element.loading).to.equal('eager');

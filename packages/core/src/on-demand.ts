@@ -34,7 +34,7 @@ export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.t
 export { isSurfaceOutput } from './scene-needs.ts';
 export * from './schema.ts';
 export { serializeScene } from './serialize-scene.ts';
-export { parseSettings, qualities, type RenderSettings, settingsFields } from './settings.ts';
+export { parseSettings, qualities, type RenderSettings, settingsFields, settingsOf } from './settings.ts';
 export type { BlockLayout } from './std140.ts';
 export type { Vec3 } from './vector.ts';
 export type { SampleNumber } from './view-record.ts';

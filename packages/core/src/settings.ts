@@ -62,20 +62,29 @@ export const qualities: { readonly [Q in RenderSettings['quality']]: Partial<Ren
   reference: { bounces: 16, samples: 16_384, maxError: 0.002 },
 };
 
+/** The settings with the defaults of a quality, by its name. */
+export const settingsOf = (quality: unknown): typeof settingsFields => {
+  const preset = (qualities as { readonly [name: string]: { readonly [name: string]: unknown } })[quality as string];
+  return Object.fromEntries(
+    Object.entries(settingsFields).map(([name, field]) => [
+      name,
+      { ...field, default: preset?.[name] ?? field.default },
+    ]),
+  ) as typeof settingsFields;
+};
+
 /**
  * Fills in the defaults of the settings that are not given.
  * @throws {SceneError} when one is unknown or out of its range.
  */
 export function parseSettings(given: { readonly [name: string]: unknown } = {}): RenderSettings {
-  const fields = Object.entries(settingsFields);
+  const fields = Object.entries(settingsOf(given.quality));
   const names = fields.map(([name]) => name);
   const problems = Object.keys(given)
     .filter((name) => !names.includes(name))
     .map((name) => problem(name, say('unknownSetting', name, names)));
-  const quality = settingsFields.quality.read(given.quality ?? 'balanced');
-  const preset: { readonly [name: string]: unknown } = quality instanceof Mismatch ? {} : qualities[quality];
   const values = fields.map(([name, field]) => {
-    const value = given[name] === undefined ? (preset[name] ?? field.default) : field.read(given[name]);
+    const value = given[name] === undefined ? field.default : field.read(given[name]);
     if (value instanceof Mismatch) problems.push(problem(name, value.sentence(name, given[name])));
     return [name, value];
   });

@@ -1,5 +1,13 @@
 import { ReactiveElement } from '@lit/reactive-element';
-import { Mismatch, type Problem, parseSettings, type RenderSettings, say, settingsFields } from '@ray-scene/core';
+import {
+  Mismatch,
+  type Problem,
+  parseSettings,
+  type RenderSettings,
+  say,
+  settingsFields,
+  settingsOf,
+} from '@ray-scene/core';
 import type { RaySceneEvents } from './events.ts';
 import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
 import { unknownAttributes } from './read-markup.ts';
@@ -14,9 +22,12 @@ class LitSettingsElement extends ReactiveElement implements FieldHost {
     return [...super.observedAttributes, ...attributes];
   }
 
-  readonly fields = settingsFields;
   readonly given: { [field: string]: unknown } = {};
   #settings: RenderSettings | undefined;
+
+  get fields(): typeof settingsFields {
+    return settingsOf(this.given.quality);
+  }
 
   /** What is given, and the defaults of what is not or cannot be read. The same object until one of them changes. */
   get settings(): RenderSettings {
