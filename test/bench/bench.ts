@@ -122,20 +122,21 @@ async function bench(options: BenchOptions) {
   const machine = await describeMachine(() => startBrowser(browser));
   const bundle = { brotli: bundleSize() };
   printMachine(machine, bundle.brotli);
-  const result = {
-    machine,
-    plan,
-    bundle,
-    ...(parts.includes('primitives') && (await benchPrimitives(browser, plan))),
-    ...(parts.includes('convergence') && (await benchConvergence(browser, scenes))),
-    ...(parts.includes('features') && (await benchFeatures(browser, plan))),
-    ...(parts.includes('adaptive') && (await benchAdaptive(browser, scenes, options))),
-    ...(parts.includes('frames') && (await benchFrames(browser, scenes))),
-    ...(parts.includes('scenes') && (await benchScenes(browser, scenes, plan))),
-    ...(parts.includes('trade') && { trade: await benchTrade(browser, scenes, quick) }),
-    ...(parts.includes('calibration') && (await benchCalibration(browser, scenes, options))),
+  const result = { machine, plan, bundle };
+  // Whatever there is, so that an end that comes too soon loses nothing.
+  const add = (part: object): void => {
+    Object.assign(result, part);
+    if (json) writeFileSync(json, `${JSON.stringify(result, null, 2)}\n`);
   };
-  if (json) writeFileSync(json, `${JSON.stringify(result, null, 2)}\n`);
+  add({});
+  if (parts.includes('primitives')) add(await benchPrimitives(browser, plan));
+  if (parts.includes('convergence')) add(await benchConvergence(browser, scenes));
+  if (parts.includes('features')) add(await benchFeatures(browser, plan));
+  if (parts.includes('adaptive')) add(await benchAdaptive(browser, scenes, options));
+  if (parts.includes('frames')) add(await benchFrames(browser, scenes));
+  if (parts.includes('scenes')) add(await benchScenes(browser, scenes, plan));
+  if (parts.includes('trade')) await benchTrade(browser, scenes, quick, add);
+  if (parts.includes('calibration')) add(await benchCalibration(browser, scenes, options));
   return result;
 }
 

@@ -1,8 +1,10 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { flip, meanFlip, type ShownPicture } from '../bench/trade/flip.ts';
+import { flip, meanFlipTo, type ShownPicture } from '../bench/trade/flip.ts';
 
 const [width, height] = [24, 16];
+
+const meanFlip = (one: ShownPicture, other: ShownPicture): number => meanFlipTo(other)(one);
 
 const picture = (colorAt: (x: number, y: number) => readonly number[]): ShownPicture => ({
   width,

@@ -4,49 +4,106 @@ import { hash } from '../../packages/core/src/random.ts';
 import { relativeNoise, tailIndex } from '../bench/calibration/tail.ts';
 import { readOptions, USAGE } from '../bench/options.ts';
 import { beating, type Choice, frontOf, sceneChoices } from '../bench/trade/front.ts';
-import { BASE, type Setting } from '../bench/trade/knobs.ts';
+import { BASE } from '../bench/trade/knobs.ts';
 import type { Measured } from '../bench/trade/measure.ts';
 import { plotTrade } from '../bench/trade/plots.ts';
-import { biasOf, noiseOf, psnr, Spread } from '../bench/trade/statistics.ts';
+import { average, biasOf, noiseOf, psnr, Spread, yardstickOf } from '../bench/trade/statistics.ts';
 import { normalRandom } from './normal-random.ts';
 
 const NUMBERS = 3 * 2000;
 
-/** Pictures of one grey, off by a constant, each number with normal noise. */
-function pictures(count: number, { mean, deviation }: { mean: number; deviation: number }, seed: number): Spread {
-  const random = normalRandom(seed);
-  const spread = new Spread(NUMBERS);
+/** Pictures of one grey, off by a constant, each number with noise of its own. */
+function pictures(
+  count: number,
+  { mean, deviation, numbers = NUMBERS }: { mean: number; deviation: number; numbers?: number },
+  seed: number,
+  noise = normalRandom,
+): Spread {
+  const random = noise(seed);
+  const spread = new Spread(numbers);
   for (let i = 0; i < count; i++) {
-    spread.add(Float32Array.from({ length: NUMBERS }, () => mean + deviation * random()));
+    spread.add(Float32Array.from({ length: numbers }, () => mean + deviation * random()));
   }
   return spread;
 }
 
+/** A rare bright event: Pareto's distribution of index 3, whose variance is finite and whose third moment is not; mean 0. */
+function heavyTails(seed: number): () => number {
+  let state = hash(seed);
+  const mean = 3 / 2;
+  return () => {
+    state = hash(state + 1);
+    return ((state + 0.5) / 2 ** 32) ** (-1 / 3) - mean;
+  };
+}
+
 describe('the statistics of the trade', () => {
-  const right = pictures(8, { mean: 1, deviation: 0.02 }, 1).converged();
+  const grey = { mean: 1, deviation: 0.02 };
+  const yardstick = yardstickOf(pictures(4, grey, 1));
+  const right = pictures(4, grey, 11);
 
   it('tell noise apart from bias', () => {
     const spread = pictures(6, { mean: 1.05, deviation: 0.2 }, 2);
-    const { noise } = noiseOf(spread, right);
-    const { bias, biasAtMost } = biasOf(spread, right);
+    const { noise } = noiseOf(spread, yardstick);
+    const { bias, biasAtMost } = biasOf(spread, yardstick, right);
     assert.ok(Math.abs(noise / (0.2 / Math.sqrt(1.01)) - 1) < 0.03, `${noise}`);
     assert.ok(Math.abs(bias / (0.05 / Math.sqrt(1.01)) - 1) < 0.1, `${bias}`);
     assert.ok(biasAtMost > bias);
   });
 
   it('find no more bias than chance allows where there is none', () => {
-    const { bias, biasAtMost } = biasOf(pictures(6, { mean: 1, deviation: 0.2 }, 3), right);
+    const { bias, biasAtMost } = biasOf(pictures(6, { mean: 1, deviation: 0.2 }, 3), yardstick, right);
     assert.ok(bias < biasAtMost && biasAtMost < 0.04, `${bias} ${biasAtMost}`);
   });
 
-  it('tell of a picture most of whose variance is in a few pixels', () => {
-    const random = normalRandom(4);
-    const spread = new Spread(NUMBERS);
-    for (let i = 0; i < 6; i++) {
-      spread.add(Float32Array.from({ length: NUMBERS }, (_, j) => 1 + (j < 6 ? 1000 : 0.1) * random()));
-    }
-    const { noise, noiseOfAll, rareShare } = noiseOf(spread, right);
-    assert.ok(rareShare > 0.99 && noiseOfAll > 10 && Math.abs(noise - 0.1) < 0.01, `${noise} ${noiseOfAll}`);
+  /** Squared bias of two pictures with heavy tails, again and again, over its standard error in the mean of all. */
+  function meanSquaredBias(trials: number, bias: number): { readonly mean: number; readonly error: number } {
+    const [numbers, deviation] = [600, 0.3];
+    const found = Array.from({ length: trials }, (_, i) => {
+      const of = (count: number, mean: number, seed: number) =>
+        pictures(count, { mean, deviation, numbers }, 4 * i + seed, heavyTails);
+      return biasOf(of(2, 1 + bias, 1000), yardstickOf(of(3, 1, 1001)), of(3, 1, 1002)).squaredBias;
+    });
+    const mean = average(found);
+    return { mean, error: Math.sqrt(average(found.map((value) => (value - mean) ** 2)) / trials) };
+  }
+
+  it('find none in the mean where there is none, although two pictures with heavy tails tell little', () => {
+    const { mean, error } = meanSquaredBias(400, 0);
+    assert.ok(error < 0.0003 && Math.abs(mean) < 3 * error, `${mean} ± ${error}`);
+  });
+
+  it('find in the mean what there is', () => {
+    const { mean, error } = meanSquaredBias(400, 0.2);
+    // Divided by the squares of means that have noise themselves, which is a little more.
+    assert.ok(mean > 0.2 ** 2 / 1.01 - 3 * error && mean < 1.1 * 0.2 ** 2 + 3 * error, `${mean} ± ${error}`);
+  });
+
+  it('know what paths leave out, far below the noise, from pictures with the same random numbers', () => {
+    const noise = normalRandom(5);
+    const left = new Spread(NUMBERS);
+    for (let i = 0; i < 2; i++) left.add(Float32Array.from({ length: NUMBERS }, () => -0.001 * (1 + 0.3 * noise())));
+    const { bias, biasAtMost } = biasOf(left, yardstick);
+    assert.ok(
+      Math.abs(bias / (0.001 / Math.sqrt(1.01)) - 1) < 0.02 && biasAtMost < 1.1 * bias,
+      `${bias} ${biasAtMost}`,
+    );
+  });
+
+  it('leave out the same pixels of all pictures, those where converged ones of either kind differ most', () => {
+    const bright = (first: number): Spread => {
+      const random = normalRandom(4 + first);
+      const spread = new Spread(NUMBERS);
+      for (let i = 0; i < 6; i++) {
+        const deviation = (j: number): number => (j >= first && j < first + 30 ? 1000 : 0.1);
+        spread.add(Float32Array.from({ length: NUMBERS }, (_, j) => 1 + deviation(j) * random()));
+      }
+      return spread;
+    };
+    const one = noiseOf(bright(0), yardstickOf(pictures(4, grey, 1), bright(0)));
+    assert.ok(one.rareShare > 0.99 && one.noiseOfAll > 10 && Math.abs(one.noise - 0.1) < 0.01, `${one.noise}`);
+    const other = noiseOf(bright(60), yardstickOf(pictures(4, grey, 1), bright(0)));
+    assert.ok(other.rareShare < 0.01 && other.noise > 10, `${other.noise}`);
   });
 
   it('know the signal over the noise of pictures that are a tenth apart', () => {
@@ -109,34 +166,32 @@ describe('the front', () => {
     assert.deepEqual(beating(choice(4.5, 0.5), choices), [choice(4, 0.1)]);
   });
 
-  it('knows that paths of more bounces leave out no more light', () => {
-    const measured = (change: Partial<Setting>, bias: number): Measured => ({
+  it('adds noise and bias, and knows samples that were not drawn by the root of how many more they are', () => {
+    const measured: Measured = {
       name: '',
-      knob: 'bounces',
-      setting: { ...BASE, ...change },
+      knob: 'none',
+      setting: BASE,
       shaderChars: 1,
       compileMs: 1,
       firstFrameMs: 1,
-      msPerSample: 1,
+      timeRatios: [1],
+      msPerSample: 2,
       msSpread: 0,
       msPerFrame: 1,
       msPerFrameSpread: 0,
       seeds: 2,
-      points: [{ samples: 16, noise: 0, noiseOfAll: 0, rareShare: 0, psnr: 1, flip: 0 }],
-      bias,
-      biasAtMost: 1,
-    });
-    const settings = [
-      measured({ bounces: 16 }, 0.3),
-      measured({ bounces: 2 }, 0.5),
-      measured({ bounces: 6 }, 0.1),
-      measured({ bounces: 16, clamp: 1 }, 0.4),
-      measured({ bounces: 64, integrator: 'direct' }, 0.6),
-    ];
-    const errors = sceneChoices({ settings }).filter(({ samples }) => samples === 16);
+      points: [{ samples: 4096, noise: 0.04, noiseOfAll: 1, rareShare: 0, psnr: 1, flip: 0 }],
+      squaredBias: 0.0009,
+      bias: 0.03,
+      biasAtMost: 0.03,
+    };
+    const found = sceneChoices({ settings: [measured] });
     assert.deepEqual(
-      errors.map(({ error }) => error),
-      [0.1, 0.5, 0.1, 0.4, 0.6],
+      found.map(({ samples, milliseconds, error, measured: drawn }) => [samples, milliseconds, error, drawn]),
+      [
+        [4096, 8192, 0.05, true],
+        [16_384, 32_768, Math.hypot(0.02, 0.03), false],
+      ],
     );
   });
 

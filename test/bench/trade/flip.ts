@@ -95,14 +95,24 @@ const gaussian = (radius: number, weight: (x: number) => number): Kernel =>
 
 /** Convolves with a product of two rows; beyond its edges a picture goes on as it is there. */
 function convolve({ width, height }: ShownPicture, plane: Plane, across: Kernel, down: Kernel): Plane {
-  const inside = (at: number, length: number): number => Math.min(Math.max(at, 0), length - 1);
-  const along = (from: Plane, kernel: Kernel, at: (x: number, y: number, offset: number) => number): Plane =>
-    from.map((_, i) => {
-      const [x, y] = [i % width, Math.floor(i / width)];
-      return kernel.reduce((sum, weight, k) => sum + weight * (from[at(x, y, k - (kernel.length >> 1))] as number), 0);
-    });
-  const rows = along(plane, across, (x, y, offset) => y * width + inside(x + offset, width));
-  return along(rows, down, (x, y, offset) => inside(y + offset, height) * width + x);
+  return along(along(plane, across, width, 1, height, width), down, height, width, width, 1);
+}
+
+/** Convolves `count` lines of `length` numbers, a number and a line being so far from the next. */
+function along(from: Plane, kernel: Kernel, length: number, step: number, count: number, lineStep: number): Plane {
+  const to = new Float64Array(from.length);
+  const middle = kernel.length >> 1;
+  for (let line = 0; line < count; line++) {
+    for (let at = 0; at < length; at++) {
+      let sum = 0;
+      for (let k = 0; k < kernel.length; k++) {
+        const inside = Math.min(Math.max(at + k - middle, 0), length - 1);
+        sum += (kernel[k] as number) * (from[line * lineStep + inside * step] as number);
+      }
+      to[line * lineStep + at * step] = sum;
+    }
+  }
+  return to;
 }
 
 /** What an eye sees of a channel. A sum of two Gaussians is no product of rows, but each of the two is. */
@@ -149,6 +159,8 @@ function features(picture: ShownPicture, luma: Plane): { readonly edges: Plane; 
   };
 }
 
+type Perceived = ReturnType<typeof perceived>;
+
 function perceived(picture: ShownPicture) {
   const opponent = Array.from({ length: picture.width * picture.height }, (_, i) =>
     toOpponent([0, 1, 2].map((channel) => linear(picture.data[3 * i + channel] as number)) as unknown as Triple),
@@ -165,8 +177,9 @@ function perceived(picture: ShownPicture) {
 }
 
 /** The difference of each pixel. */
-export function flip(one: ShownPicture, other: ShownPicture): Plane {
-  const [a, b] = [perceived(one), perceived(other)];
+export const flip = (one: ShownPicture, other: ShownPicture): Plane => apartness(perceived(one), perceived(other));
+
+function apartness(a: Perceived, b: Perceived): Plane {
   const apart = (p: Plane, q: Plane, i: number): number => Math.abs((p[i] as number) - (q[i] as number));
   return Float64Array.from(a.colors, (color, i) => {
     const feature = (Math.max(apart(a.edges, b.edges, i), apart(a.points, b.points, i)) / Math.SQRT2) ** FEATURE.power;
@@ -174,8 +187,10 @@ export function flip(one: ShownPicture, other: ShownPicture): Plane {
   });
 }
 
-/** The mean over all pixels. */
-export function meanFlip(one: ShownPicture, other: ShownPicture): number {
-  const differences = flip(one, other);
-  return differences.reduce((sum, value) => sum + value, 0) / differences.length;
+/** The mean over all pixels. Of many pictures against one, that one is looked at once. */
+export function meanFlipTo(right: ShownPicture): (picture: ShownPicture) => number {
+  const seen = perceived(right);
+  return (picture) => average(apartness(perceived(picture), seen));
 }
+
+const average = (values: Plane): number => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -19,7 +19,7 @@ export interface Choice {
 const LEAST_ERROR = 0.001;
 const MOST_SAMPLES = 16_384;
 
-function choicesOf({ name, setting, msPerSample, points }: Measured, bias: number): readonly Choice[] {
+function choicesOf({ name, setting, msPerSample, bias, points }: Measured): readonly Choice[] {
   const last = points.at(-1) as Measured['points'][number];
   const further: { samples: number; noise: number }[] = [];
   for (let samples = 4 * last.samples; samples <= MOST_SAMPLES; samples *= 4) {
@@ -36,17 +36,7 @@ function choicesOf({ name, setting, msPerSample, points }: Measured, bias: numbe
 }
 
 export const sceneChoices = ({ settings }: Pick<SceneTrade, 'settings'>): readonly Choice[] =>
-  settings.flatMap((one) => choicesOf(one, leastBias(one, settings)));
-
-/**
- * Light adds up: in every pixel, what paths of more bounces leave out is part of what those of fewer do. So their bias is not
- * larger, and where it was measured to be, that was noise.
- */
-function leastBias({ setting, bias }: Measured, all: readonly Measured[]): number {
-  const knobs = ({ bounces: _, ...others }: Setting): string => JSON.stringify(others);
-  const shorter = all.filter((one) => knobs(one.setting) === knobs(setting) && one.setting.bounces <= setting.bounces);
-  return setting.integrator === 'path' ? Math.min(...shorter.map((one) => one.bias)) : bias;
-}
+  settings.flatMap(choicesOf);
 
 /**
  * The same of all scenes together: geometric means, so that a scene which takes ten times as long or is ten times as noisy
@@ -61,6 +51,7 @@ export function galleryChoices(trade: Trade): readonly Choice[] {
     ...choice,
     milliseconds: mean(scenes.map((choices) => (choices[i] as Choice).milliseconds)),
     error: mean(scenes.map((choices) => (choices[i] as Choice).error)),
+    measured: scenes.every((choices) => (choices[i] as Choice).measured),
   }));
 }
 

@@ -1,46 +1,43 @@
 /** Goes through scenes and settings: what each costs, and how far from right it is. */
 import type { BenchBrowser, BenchPage } from '../browser-pages.ts';
-import { childrenCpuMs } from '../cpu-time.ts';
-import { type Knob, QUICK_VARIANTS, type Setting, VARIANTS, type Variant } from './knobs.ts';
+import { type Knob, PAIRED, QUICK_VARIANTS, type Setting, VARIANTS, type Variant } from './knobs.ts';
+import { measurePaces, type Pace, type PacePlan } from './pace.ts';
 import type { Accuracy } from './page.ts';
-import { typical } from './statistics.ts';
 
 declare const trade: typeof import('./page.ts');
 
 /** The module of the pages that this runs in. */
 export const TRADE_PAGE = { entry: 'test/bench/trade/page.ts', name: 'trade' } as const;
 
-export interface TradePlan {
+export interface TradePlan extends PacePlan {
   readonly variants: readonly Variant[];
-  /** For the picture that all others are held to. */
+  /** For the pictures that all others are held to. */
   readonly convergeMs: number;
-  /** For each setting, but at least two pictures. */
+  /** For the pictures with few samples of the first setting: all have as many. */
   readonly settingMs: number;
-  readonly turns: number;
-  readonly turnMs: number;
-  /** Samples beyond which nothing is measured. */
-  readonly mostSamples: number;
+  /** For the pictures with many samples of one setting: what takes longer is not drawn. */
+  readonly manyMs: number;
 }
 
 export const THOROUGH_TRADE: TradePlan = {
   variants: VARIANTS,
-  convergeMs: 8000,
-  settingMs: 700,
-  turns: 5,
-  turnMs: 50,
-  mostSamples: 256,
+  convergeMs: 24_000,
+  settingMs: 1500,
+  manyMs: 15_000,
+  rounds: 7,
+  turnMs: 30,
 };
 
 export const QUICK_TRADE: TradePlan = {
   variants: QUICK_VARIANTS,
-  convergeMs: 500,
+  convergeMs: 1500,
   settingMs: 300,
-  turns: 3,
+  manyMs: 0,
+  rounds: 3,
   turnMs: 30,
-  mostSamples: 16,
 };
 
-export interface Measured extends Accuracy {
+export interface Measured extends Accuracy, Pace {
   readonly name: string;
   readonly knob: Knob | 'none';
   readonly setting: Setting;
@@ -48,17 +45,11 @@ export interface Measured extends Accuracy {
   /** Once each: what a browser costs the first time has been paid by then. */
   readonly compileMs: number;
   readonly firstFrameMs: number;
-  /** Of processors where the system tells, else of the clock; median, and mean distance of the middle half from it. */
-  readonly msPerSample: number;
-  readonly msSpread: number;
-  /** The same of a frame in which one sample is drawn and the picture is shown. */
-  readonly msPerFrame: number;
-  readonly msPerFrameSpread: number;
 }
 
 export interface SceneTrade {
-  /** Samples of the picture that all others are held to, and its noise. */
-  readonly converged: { readonly samples: number; readonly noise: number };
+  /** Samples of the picture that all others are held to, how many pictures it is the mean of, and its noise. */
+  readonly converged: { readonly samples: number; readonly runs: number; readonly noise: number };
   readonly settings: readonly Measured[];
 }
 
@@ -68,62 +59,64 @@ export async function measureTrade(
   browser: BenchBrowser,
   scenes: readonly { readonly name: string; readonly scene: string }[],
   plan: TradePlan,
-  done: (name: string, scene: SceneTrade) => void,
+  done: (name: string, trade: Trade) => void,
 ): Promise<Trade> {
   const trade: { [scene: string]: SceneTrade } = {};
   for (const { name, scene } of scenes) {
     const page = await browser.open();
-    const measured = await measureScene(page, scene, plan);
+    trade[name] = await measureScene(page, scene, plan);
     await page.close();
-    trade[name] = measured;
-    done(name, measured);
+    done(name, trade);
   }
   return trade;
 }
 
 async function measureScene(page: BenchPage, scene: string, plan: TradePlan): Promise<SceneTrade> {
-  const converged = await page.execute((task) => trade.converge(task), { scene, milliseconds: plan.convergeMs });
+  const { variants, settingMs, manyMs } = plan;
+  await page.execute((task) => trade.begin(task), { scene });
+  const opened: Awaited<ReturnType<typeof openSetting>>[] = [];
+  for (const { setting } of variants) opened.push(await openSetting(page, setting));
+  const paces = await measurePaces(page, variants.length, plan);
+  const { pace, ...converged } = await converge(page, plan);
+  const seeds = Math.min(Math.max(Math.floor(settingMs / (PAIRED * pace)), LEAST_SEEDS), MOST_SEEDS);
+  const mostSamples = Math.max(manyMs / (LEAST_SEEDS * pace), PAIRED);
   const settings: Measured[] = [];
-  for (const variant of plan.variants) settings.push(await measureVariant(page, variant, plan));
+  for (const [index, { name, knob, setting, samples }] of variants.entries()) {
+    const task = { index, samples: samples.filter((count) => count <= mostSamples), seeds };
+    const accuracy = await page.execute((one) => trade.measure(one), task);
+    const costs = { ...(opened[index] as (typeof opened)[number]), ...(paces[index] as Pace) };
+    settings.push({ name, knob, setting, ...costs, ...accuracy });
+  }
   return { converged, settings };
 }
 
-async function measureVariant(page: BenchPage, variant: Variant, plan: TradePlan): Promise<Measured> {
-  const { name, knob, setting } = variant;
-  const opened = await page.execute((one) => trade.open(one), setting);
-  const wall = await page.execute(() => trade.run(2) / 2, undefined);
-  const samples = Math.max(1, Math.ceil(plan.turnMs / wall));
-  const turns = { sample: [] as number[], frame: [] as number[] };
-  for (let turn = 0; turn < plan.turns; turn++) {
-    turns.sample.push(await takeTurn(page, samples, false));
-    turns.frame.push(await takeTurn(page, samples, true));
-  }
-  const [ofSample, ofFrame] = [typical(turns.sample), typical(turns.frame)];
-  const accuracy = await page.execute((task) => trade.measure(task), {
-    samples: variant.samples.filter((count) => count <= plan.mostSamples),
-    leastSeeds: 2,
-    mostSeeds: 16,
-    milliseconds: plan.settingMs,
-  });
-  return {
-    name,
-    knob,
-    setting,
-    ...opened,
-    msPerSample: ofSample.median,
-    msSpread: ofSample.spread,
-    msPerFrame: ofFrame.median,
-    msPerFrameSpread: ofFrame.spread,
-    ...accuracy,
-  };
+const openSetting = (page: BenchPage, setting: Setting) => page.execute((one) => trade.open(one), setting);
+
+/** Of pictures whose spread is looked at. */
+const LEAST_SEEDS = 2;
+const MOST_SEEDS = 8;
+/** Converged pictures that there are at least. */
+const LEAST_RUNS = 8;
+
+/** Of the time for converged pictures, what those by `direct` may take: they tell which pixels are rare, and no more. */
+const DIRECT_SHARE = 1 / 8;
+
+/** Draws what all settings are held to. */
+async function converge(page: BenchPage, { convergeMs }: TradePlan) {
+  await convergeBy(page, 'direct', convergeMs * DIRECT_SHARE);
+  const converged = await convergeBy(page, 'path', convergeMs * (1 - DIRECT_SHARE));
+  const { noise } = await page.execute(() => trade.judgeBy(), undefined);
+  return { ...converged, noise };
 }
 
-/** Milliseconds for a sample, or for a frame that shows it. */
-async function takeTurn(page: BenchPage, samples: number, shows: boolean): Promise<number> {
-  const before = childrenCpuMs();
-  const wall = shows
-    ? await page.execute((count) => trade.runFrames(count), samples)
-    : await page.execute((count) => trade.run(count), samples);
-  const after = childrenCpuMs();
-  return (before === undefined || after === undefined ? wall : after - before) / samples;
+/** Until the time is up: pictures of 2^k samples, whose random numbers are the most even ones. */
+async function convergeBy(page: BenchPage, integrator: Setting['integrator'], milliseconds: number) {
+  const end = performance.now() + milliseconds;
+  const pace = await page.execute((by) => trade.paceOf(by), integrator);
+  const samples = 2 ** Math.max(Math.floor(Math.log2(milliseconds / (LEAST_RUNS * pace))), 0);
+  let runs = 0;
+  for (; runs < LEAST_RUNS || performance.now() < end; runs++) {
+    await page.execute((task) => trade.converge(task), { integrator, samples });
+  }
+  return { pace, samples: runs * samples, runs };
 }

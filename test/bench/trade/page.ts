@@ -3,19 +3,20 @@
  * numbers, and keeps the pictures here: only numbers leave.
  */
 import { RenderDevice } from '../../../packages/ray-scene/src/render-device.ts';
-import { meanFlip } from './flip.ts';
-import { CONVERGED, type Setting } from './knobs.ts';
+import { meanFlipTo } from './flip.ts';
+import { CONVERGED, DIRECT, isPaired, PAIRED, type Setting } from './knobs.ts';
 import { HEIGHT, Picture, WIDTH } from './picture.ts';
 import {
   type Bias,
   biasOf,
-  type Converged,
   type Noise,
   noiseOf,
   psnr,
   type Radiance,
   Spread,
   shown,
+  type Yardstick,
+  yardstickOf,
 } from './statistics.ts';
 
 const devices: { [T in Setting['target']]?: RenderDevice } = {};
@@ -25,76 +26,126 @@ function deviceOf(target: Setting['target']): RenderDevice {
   return devices[target];
 }
 
+const NUMBERS = 3 * WIDTH * HEIGHT;
+
 let scene = '';
-let converged: Converged = { mean: new Float32Array(), variance: new Float64Array() };
-let picture: Picture | undefined;
+/** By the settings that have been opened, in that order. */
+const pictures: { readonly picture: Picture; readonly setting: Setting }[] = [];
 
-/** Runs that a converged picture is the mean of; their spread tells how well it is known. */
-const RUNS = 8;
-/** Samples that each of them gets in turn. */
-const TURN = 16;
-/** So that no other picture has their random numbers. */
-const FIRST_SEED = 1000;
-
-/** Draws the picture that all settings of a scene are held to, for so long. Returns how many samples each pixel got. */
-export function converge(task: { readonly scene: string; readonly milliseconds: number }): {
-  readonly samples: number;
-  readonly noise: number;
-} {
+export function begin(task: { readonly scene: string }): void {
   scene = task.scene;
-  const end = performance.now() + task.milliseconds;
-  const runs = Array.from({ length: RUNS }, () => new Picture(deviceOf('float'), scene, CONVERGED));
-  let samples = 0;
-  do {
-    samples += TURN;
-    for (const [run, one] of runs.entries()) one.drawTo(samples, FIRST_SEED + run);
-    runs.at(-1)?.wait();
-  } while (performance.now() < end);
-  const spread = new Spread(3 * WIDTH * HEIGHT);
-  for (const run of runs) {
-    spread.add(run.read());
-    run.dispose();
-  }
-  converged = spread.converged();
-  return { samples: RUNS * samples, noise: noiseOf(spread, converged).noise / Math.sqrt(RUNS) };
 }
 
-/** From the parsed scene to the first pixel that can be read, in a context that is there. */
+/** From the parsed scene to the first pixel that can be read, in a context that is there. Settings stay open. */
 export function open(setting: Setting): {
   readonly compileMs: number;
   readonly firstFrameMs: number;
   readonly shaderChars: number;
 } {
-  picture?.dispose();
   const device = deviceOf(setting.target);
   const start = performance.now();
-  picture = new Picture(device, scene, setting);
+  const picture = new Picture(device, scene, setting);
   const compiled = performance.now();
   picture.drawTo(1, 0);
   picture.wait();
-  const { shaderChars } = picture;
-  return { compileMs: compiled - start, firstFrameMs: performance.now() - start, shaderChars };
+  const firstFrameMs = performance.now() - start;
+  pictures.push({ picture, setting });
+  return { compileMs: compiled - start, firstFrameMs, shaderChars: picture.shaderChars };
 }
 
-/** Draws so many frames, each of one sample more and shown, and waits for them; returns how many milliseconds passed. */
-export function runFrames(frames: number): number {
-  const start = performance.now();
-  picture?.clear();
-  for (let frame = 1; frame <= frames; frame++) {
-    picture?.drawTo(frame, 0);
-    picture?.show();
-  }
-  picture?.wait();
-  return performance.now() - start;
+export interface Turn {
+  /** Which of the settings, in the order in which they were opened. */
+  readonly index: number;
+  readonly samples: number;
+  /** Whether each sample is shown, as a frame. */
+  readonly shows: boolean;
 }
 
 /** Draws so many samples and waits for them; returns how many milliseconds passed. */
-export function run(samples: number): number {
+export function run({ index, samples, shows }: Turn): number {
+  const { picture } = opened(index);
   const start = performance.now();
-  picture?.clear();
-  picture?.drawTo(samples, 0);
-  picture?.wait();
+  picture.clear();
+  for (let sample = 1; sample <= samples; sample++) {
+    picture.drawTo(sample, 0);
+    if (shows) picture.show();
+  }
+  if (shows) picture.waitShown();
+  else picture.wait();
   return performance.now() - start;
+}
+
+const opened = (index: number): (typeof pictures)[number] => pictures[index] as (typeof pictures)[number];
+
+/** So that no other picture has the random numbers of the converged ones. */
+const FIRST_SEED = 1000;
+
+/** Draws pictures of many samples. */
+class Converging {
+  readonly #setting: Setting;
+  #picture: Picture | undefined;
+  /** Alternating ones: those that the yardstick is made of, and those that errors are differences to. */
+  readonly spreads = [new Spread(NUMBERS), new Spread(NUMBERS)] as const;
+  runs = 0;
+
+  constructor(setting: Setting) {
+    this.#setting = setting;
+  }
+
+  draw(samples: number, seed: number): Radiance {
+    this.#picture ??= new Picture(deviceOf(this.#setting.target), scene, this.#setting);
+    this.#picture.clear();
+    this.#picture.drawTo(samples, seed);
+    return this.#picture.read();
+  }
+
+  add(samples: number): void {
+    (this.spreads[this.runs % 2] as Spread).add(this.draw(samples, FIRST_SEED + this.runs));
+    this.runs++;
+  }
+
+  mean(i: number): number {
+    return this.spreads.reduce((sum, spread) => sum + spread.mean(i) * spread.count, 0) / this.runs;
+  }
+}
+
+/** By `path` what is right; by `direct` which pixels are rare there, where highlights are sharper. */
+const converging = { path: new Converging(CONVERGED), direct: new Converging(DIRECT) };
+
+/** With few samples, by their seeds. */
+const partners: Radiance[] = [];
+
+/** How many milliseconds a sample of a converged picture takes. */
+export function paceOf(integrator: Setting['integrator']): number {
+  converging[integrator].draw(1, 0);
+  const [samples, start] = [8, performance.now()];
+  converging[integrator].draw(samples, 0);
+  return (performance.now() - start) / samples;
+}
+
+/** Draws another picture. */
+export function converge({ integrator, samples }: Pick<Setting, 'integrator'> & { readonly samples: number }): void {
+  converging[integrator].add(samples);
+}
+
+interface Right {
+  readonly yardstick: Yardstick;
+  readonly pictures: Spread;
+  /** The mean of all of them, as it is shown. */
+  readonly shown: readonly number[];
+  readonly flipTo: ReturnType<typeof meanFlipTo>;
+}
+
+let right: Right | undefined;
+
+/** Ends the drawing of what is right. Returns how noisy the mean of it is. */
+export function judgeBy(): { readonly noise: number } {
+  const { path, direct } = converging;
+  const [judges, others] = path.spreads;
+  const data = Array.from({ length: NUMBERS }, (_, i) => shown(path.mean(i)));
+  const yardstick = yardstickOf(judges, direct.spreads[0]);
+  right = { yardstick, pictures: others, shown: data, flipTo: meanFlipTo({ width: WIDTH, height: HEIGHT, data }) };
+  return { noise: noiseOf(others, yardstick).noise / Math.sqrt(path.runs) };
 }
 
 /** What is known of a setting with so many samples. */
@@ -111,42 +162,50 @@ export interface Accuracy extends Bias {
 }
 
 export interface Task {
+  readonly index: number;
   readonly samples: readonly number[];
-  /** At least, and at most as long as there is time for more. */
-  readonly leastSeeds: number;
-  readonly mostSeeds: number;
-  readonly milliseconds: number;
+  /** How many pictures are drawn, at least two. Of more than `PAIRED` samples there are two. */
+  readonly seeds: number;
 }
 
-/** Draws the setting that is open again and again, with other random numbers each time. */
-export function measure({ samples, leastSeeds, mostSeeds, milliseconds }: Task): Accuracy {
-  const end = performance.now() + milliseconds;
-  const one = picture as Picture;
-  const gathered = samples.map((count) => ({
-    count,
-    spread: new Spread(converged.mean.length),
-    first: undefined as Radiance | undefined,
-  }));
-  let seeds = 0;
-  while (seeds < leastSeeds || (seeds < mostSeeds && performance.now() < end)) {
-    one.clear();
-    for (const stage of gathered) {
-      one.drawTo(stage.count, seeds);
-      const radiance = one.read();
-      stage.first ??= radiance;
-      stage.spread.add(radiance);
+/** Draws a setting again and again, with other random numbers each time. */
+export function measure({ index, samples, seeds }: Task): Accuracy {
+  const { picture, setting } = opened(index);
+  const { yardstick, pictures: held } = right as Right;
+  const stages = samples.map((count) => ({ count, pictures: [] as Radiance[] }));
+  for (let seed = 0; seed < seeds; seed++) {
+    picture.clear();
+    for (const { count, pictures: drawn } of stages) {
+      if (count > PAIRED && seed >= 2) continue;
+      picture.drawTo(count, seed);
+      drawn.push(picture.read());
     }
-    seeds++;
   }
-  const right = Array.from(converged.mean, shown);
-  const points = gathered.map(({ count, spread, first = new Float32Array() }) => {
-    const data = Array.from(first, shown);
-    return {
-      samples: count,
-      ...noiseOf(spread, converged),
-      psnr: psnr(data, right),
-      flip: meanFlip({ width: WIDTH, height: HEIGHT, data }, { width: WIDTH, height: HEIGHT, data: right }),
-    };
-  });
-  return { seeds, points, ...biasOf((gathered.at(-1) as (typeof gathered)[number]).spread, converged) };
+  const points = stages.map(({ count, pictures: drawn }) => ({
+    samples: count,
+    ...noiseOf(spreadOf(drawn), yardstick),
+    ...likeness(drawn[0] as Radiance, right as Right),
+  }));
+  const drawnOf = (stage: (typeof stages)[number] | undefined): readonly Radiance[] => stage?.pictures ?? [];
+  const bias = isPaired(setting)
+    ? biasOf(spreadOf(drawnOf(stages.find(({ count }) => count === PAIRED)).map(differenceToRight)), yardstick)
+    : biasOf(spreadOf(drawnOf(stages.at(-1))), yardstick, held);
+  return { seeds, points, ...bias };
+}
+
+function differenceToRight(radiance: Radiance, seed: number): Radiance {
+  partners[seed] ??= converging.path.draw(PAIRED, seed);
+  const partner = partners[seed];
+  return radiance.map((value, i) => value - (partner[i] as number));
+}
+
+function spreadOf(all: readonly Radiance[]): Spread {
+  const spread = new Spread(NUMBERS);
+  for (const one of all) spread.add(one);
+  return spread;
+}
+
+function likeness(radiance: Radiance, { shown: wanted, flipTo }: Right): Pick<Point, 'psnr' | 'flip'> {
+  const data = Array.from(radiance, shown);
+  return { psnr: psnr(data, wanted), flip: flipTo({ width: WIDTH, height: HEIGHT, data }) };
 }

@@ -101,9 +101,15 @@ export class Picture {
     this.#device.present(this.#context, width, height, () => this.#display.draw(this.#target, 1));
   }
 
+  /** Until all samples are drawn; while the target is bound, that is: before anything is shown. */
   wait(): void {
     const { gl } = this.#device;
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, this.#pixel);
+  }
+
+  /** Until what was shown is on the canvas. */
+  waitShown(): void {
+    this.#context.getImageData(0, 0, 1, 1);
   }
 
   /** How noisy it says that it is. */

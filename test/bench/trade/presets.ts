@@ -20,7 +20,7 @@ export const PROMISED: { readonly [Q in Quality]: number } = {
 export interface Preset {
   readonly quality: Quality;
   /** What `settings.ts` says: what of it is a point of the trade. */
-  readonly given: Pick<RenderSettings, 'integrator' | 'bounces' | 'samples'>;
+  readonly given: Pick<RenderSettings, 'integrator' | 'bounces' | 'samples' | 'maxError'>;
   readonly standing: Choice | undefined;
   readonly chosen: Choice | undefined;
   /** What is better than what is given by more than a tenth in both. */
@@ -28,16 +28,13 @@ export interface Preset {
   readonly agrees: boolean;
 }
 
-/**
- * The settings of an element can say no more of how samples are drawn; but for `clamp`, a radiance that is none of any
- * scene but the one it is chosen for.
- */
-const isOffered = ({ setting: { roulette, scale, target, lights, clamp } }: Choice): boolean =>
-  roulette === BASE.roulette &&
-  scale === BASE.scale &&
-  target === BASE.target &&
-  lights === BASE.lights &&
-  clamp === undefined;
+/** Whether the settings of an element can ask for it: they say no more of how samples are drawn. */
+export const isForPages = ({ setting: { roulette, target, lights } }: Choice): boolean =>
+  roulette === BASE.roulette && target === BASE.target && lights === BASE.lights;
+
+/** `clamp` is a radiance that is none of any scene but the one it is chosen for, and `pixelRatio` is that of the screen. */
+const isOffered = (choice: Choice): boolean =>
+  isForPages(choice) && choice.setting.scale === BASE.scale && choice.setting.clamp === undefined;
 
 const isSame = ({ setting, samples }: Choice, given: Preset['given']): boolean =>
   setting.integrator === given.integrator && setting.bounces === given.bounces && samples === given.samples;
@@ -46,8 +43,7 @@ export function presetsOf(trade: Trade): readonly Preset[] {
   const choices = galleryChoices(trade);
   const offered = choices.filter(isOffered);
   return (Object.keys(qualities) as Quality[]).map((quality) => {
-    const { integrator, bounces, samples } = parseSettings({ quality });
-    const given = { integrator, bounces, samples };
+    const given = parseSettings({ quality });
     const standing = offered.find((choice) => isSame(choice, given));
     const chosen = fastestWithin(offered, PROMISED[quality]);
     const beatenBy = standing ? beating(standing, choices) : [];

@@ -2,9 +2,11 @@
 import { type Calibration, isRight } from '../calibration/calibration.ts';
 import { biasOf, chanceOf, type Governed, stoppingOf } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
-import type { Measured, SceneTrade, Trade } from './measure.ts';
-import { PROMISED, type Preset } from './presets.ts';
+import type { SceneTrade, Trade } from './measure.ts';
+import { isForPages, PROMISED, type Preset } from './presets.ts';
+import { galleryBounces, sceneSection } from './scene-section.ts';
 import type { TradeNumbers } from './trade.ts';
+import { ms, percent, table } from './words.ts';
 
 export interface TradeReport extends TradeNumbers {
   readonly presets: readonly Preset[];
@@ -12,9 +14,6 @@ export interface TradeReport extends TradeNumbers {
 
 /** The error that the fastest setting is looked for within. */
 const ASKED = 0.02;
-/** Of how many samples the tables of settings speak. */
-const SHOWN_SAMPLES = 16;
-
 /** @param plotOf where the picture of a scene is, or that of all of them. */
 export function reportText(report: TradeReport, plotOf: (scene?: string) => string): string {
   const { trade } = report;
@@ -35,20 +34,38 @@ Written by \`npm run bench -- --report\`, and never by hand. ${machine.processor
 ${machine.renderer}; pictures of 96 × 64. Times are of that machine: compare them with each other. They are
 ${machine.sampleTimes === 'cpu' ? 'what all processors spent together' : 'time on the clock'}.
 
+Three questions, and where they are answered:
+
+- What does one more bounce cost and buy? [In all scenes together](#what-does-one-more-bounce-cost-and-buy), and in the section
+  of each scene.
+- [Which preset am I on?](#which-preset-am-i-on)
+- [What is the fastest setting under ${100 * ASKED} %?](#the-fastest-setting-under-${100 * ASKED}-)
+
+The words:
+
 - **Noise** is what differs between pictures with other random numbers: the root of the mean over pixels and channels of
   variance / (mean² + 0.01), which is what \`stats.error\` estimates. It is measured from several pictures.
-- **Bias** is what stays when noise is averaged away: the same measure of the difference between the mean of those pictures and
-  one by \`path\` with 64 bounces and very many samples. "≤" where chance might be all of it: two standard errors.
-- **Error** is both together, the root of the sum of their squares. Half a percent of the pixels is left out of these three,
-  those with the largest variance: a highlight much smaller than a pixel is met by one sample in thousands, and would be all
-  that the numbers tell.
+- **Bias** is what stays when noise is averaged away: the same measure of the difference to \`path\` with 64 bounces. Where a
+  setting draws the same paths as that, but for what it leaves out or weighs differently, both are drawn with the same random
+  numbers, and what they differ by is far less noisy than either picture. Else it is the difference to a converged picture. In
+  both, products of errors of pictures with other random numbers are averaged, in which noise is as often below 0 as above.
+  "≤" where chance might be all of it: two standard errors.
+- **Error** is both together, the root of the sum of their squares. Some pixels are left out of these three, the same ones for
+  all settings of a scene: the half percent whose variance is largest by \`path\`, and as many by \`direct\`, both in converged
+  pictures that serve for nothing else. A highlight much smaller than a pixel is met by one sample in thousands, and would be
+  all that the numbers tell. The error is relative to what is right in each pixel: where fewer pixels spread a highlight over its
+  dark neighbours, it is large, although it is hardly seen, as FLIP tells.
+- **Time** is that of a sample over that of a sample by the first setting. All settings take turns, each between two turns of the
+  first one, and each turn is divided by the mean of those two. What is told is the median of these ratios; behind ± is how far
+  the middle half of them is from it: less than that is no difference. Milliseconds are the ratio times the median of the
+  first setting, for pictures of 96 × 64; they grow in proportion to the number of pixels.
 - PSNR and FLIP compare one picture, as it is shown without a tone curve, with the converged one. FLIP (Andersson et al. 2020)
   is 0 for alike, 1 for as different as can be; it is that of pictures seen at 67 pixels per degree.
 - The **front** is the settings that nothing beats in time and error both. A **\\*** marks samples that were not drawn: their
   noise is that of the most that were, over the root of how many times more they are.
-- Settings are turned one at a time from where \`balanced\` stands: path, 6 bounces, roulette from the 4th surface on, all
-  pixels, float targets, lights chosen by what they may contribute. Roulette and the choice of lights are not for pages to choose. A frame
-  is one sample, shown.`;
+- Knobs are turned one at a time from where \`balanced\` stands: path, 6 bounces, roulette from the 4th surface on, all
+  pixels, float targets, lights chosen by what they may contribute. Roulette and the choice of lights are not for pages to choose,
+  nor is the target. A frame is one sample, shown.`;
 
 function gallerySection({ trade, presets }: TradeReport, plot: string): string {
   const choices = galleryChoices(trade);
@@ -57,6 +74,7 @@ function gallerySection({ trade, presets }: TradeReport, plot: string): string {
     given.integrator,
     given.bounces,
     given.samples,
+    given.maxError === undefined ? '' : percent(given.maxError),
     standing ? `${ms(standing.milliseconds)}${star(standing)}` : '',
     standing ? percent(standing.error) : '',
     percent(PROMISED[quality]),
@@ -79,9 +97,15 @@ Geometric means of the times and of the errors of ${Object.keys(trade).length} s
 What \`quality\` stands for: the fastest setting that a page can ask for with the promised error, to a tenth of the time; and no
 setting at all that was measured beats it by more than a tenth in both time and error. The promised errors themselves
 are no finding: they are round numbers, set by hand after an earlier measurement of these same scenes.
-\`accurate\` and \`reference\` end sooner where \`max-error\` is reached.
+A page that says nothing is on \`balanced\`. Those with a \`max-error\` end sooner where the noise is below it.
 
-${table(['quality', 'integrator', 'bounces', 'samples', 'ms', 'error', 'promised', 'kept, and the fastest'], rows)}
+${table(['quality', 'integrator', 'bounces', 'samples', '`max-error`', 'ms', 'error', 'promised', 'kept, and the fastest'], rows)}
+
+### What does one more bounce cost and buy?
+
+By \`path\`: the medians of ${Object.keys(trade).length} scenes, and the bias of the scene where it is largest.
+
+${table(['bounces', 'time', 'bias', 'at most'], galleryBounces(trade))}
 
 ### The front
 
@@ -90,18 +114,20 @@ ${table(['setting', 'samples', 'ms', 'error'], front)}`;
 
 function fastestSection(trade: Trade): string {
   const rows = Object.entries(trade).map(([name, scene]) => {
-    const fastest = fastestWithin(sceneChoices(scene), ASKED);
+    const fastest = fastestWithin(sceneChoices(scene).filter(isForPages), ASKED);
     return fastest
       ? [name, fastest.name, `${fastest.samples}${star(fastest)}`, ms(fastest.milliseconds), percent(fastest.error)]
       : [name, `none of them: the best is ${bestOf(scene)}`, '', '', ''];
   });
-  return `## The fastest setting under ${percent(ASKED)}
+  return `## The fastest setting under ${100 * ASKED} %
+
+Of those that a page can ask for; clamping where it pays in that scene, and fewer pixels by \`pixel-ratio\`.
 
 ${table(['scene', 'setting', 'samples', 'ms', 'error'], rows)}`;
 }
 
 function bestOf(scene: SceneTrade): string {
-  const best = frontOf(sceneChoices(scene)).at(-1) as Choice;
+  const best = frontOf(sceneChoices(scene).filter(isForPages)).at(-1) as Choice;
   return `${best.name} with ${percent(best.error)}`;
 }
 
@@ -172,86 +198,4 @@ function stoppingSummary(rows: readonly Governed[]): string {
   at most ${biasAtMost.toFixed(2)}.`;
 }
 
-function sceneSection(name: string, scene: SceneTrade, plot: string): string {
-  const { settings, converged } = scene;
-  const base = settings[0] as Measured;
-  return `## ${name}
-
-![Time against error of ${name}](${plot})
-
-Held to ${converged.samples} samples, whose noise is ${percent(converged.noise)}.
-
-${bouncesText(settings)}${table(
-  [
-    'setting',
-    'ms/sample',
-    'ms/frame',
-    'time',
-    `noise of ${SHOWN_SAMPLES}`,
-    'bias',
-    'PSNR',
-    'FLIP',
-    'first frame',
-    'compile',
-    'shader',
-  ],
-  settings.map((one) => settingRow(one, base)),
-)}`;
-}
-
-function settingRow(one: Measured, base: Measured): readonly (string | number)[] {
-  const { name, msPerSample, msSpread, msPerFrame, bias, biasAtMost, points, firstFrameMs, compileMs, shaderChars } =
-    one;
-  const point = pointAt(one);
-  return [
-    name,
-    `${ms(msPerSample)} ± ${ms(msSpread)}`,
-    ms(msPerFrame),
-    `× ${(msPerSample / base.msPerSample).toFixed(2)}`,
-    percent(point.noise),
-    bias < biasAtMost / 2 ? `≤ ${percent(biasAtMost)}` : percent(bias),
-    point.psnr.toFixed(1),
-    point.flip.toFixed(3),
-    ms(firstFrameMs),
-    ms(compileMs),
-    shaderChars,
-  ].map((cell) => (points.length > 0 ? cell : ''));
-}
-
-const pointAt = ({ points }: Measured): Measured['points'][number] =>
-  points.find(({ samples }) => samples === SHOWN_SAMPLES) ?? (points.at(-1) as Measured['points'][number]);
-
-/** What each further bounce costs and buys. */
-function bouncesText(settings: readonly Measured[]): string {
-  const steps = settings
-    .filter(({ knob, setting }) => knob === 'bounces' || (knob === 'none' && setting.integrator === 'path'))
-    .sort((a, b) => a.setting.bounces - b.setting.bounces);
-  const rows = steps.slice(1).map((next, i) => {
-    const before = steps[i] as Measured;
-    return [
-      `${before.setting.bounces} → ${next.setting.bounces}`,
-      signed(next.msPerSample / before.msPerSample - 1),
-      `${percent(before.bias)} → ${percent(next.bias)}`,
-      `${percent(pointAt(before).noise)} → ${percent(pointAt(next).noise)}`,
-    ];
-  });
-  if (rows.length === 0) return '';
-  return `What bounces cost and buy:
-
-${table(['bounces', 'time', 'bias', `noise of ${SHOWN_SAMPLES} samples`], rows)}
-
-All settings:
-
-`;
-}
-
 const star = ({ measured }: Choice): string => (measured ? '' : ' \\*');
-
-const percent = (share: number): string => `${(100 * share).toFixed(share < 0.0995 ? 1 : 0)} %`;
-
-const signed = (share: number): string => `${share < 0 ? '−' : '+'}${Math.abs(100 * share).toFixed(0)} %`;
-
-const ms = (time: number): string => (time < 10 ? time.toFixed(2) : time < 100 ? time.toFixed(1) : time.toFixed(0));
-
-const table = (head: readonly string[], rows: readonly (readonly (string | number)[])[]): string =>
-  [head, head.map((_, i) => (i === 0 ? '---' : '---:')), ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');

@@ -3,15 +3,8 @@
 /** Linear radiance, as `relMSE` looks at it: three numbers for each pixel. */
 export type Radiance = Float32Array;
 
-/** A picture that is known as well as it could be paid for. */
-export interface Converged {
-  readonly mean: Radiance;
-  /** Of each number, the square of its standard error. */
-  readonly variance: Float64Array;
-}
-
 /**
- * Share of the pixels that are left out, those whose variance is largest. Highlights much smaller than a pixel are met by
+ * Share of the pixels that are left out for each way of drawing, those whose variance is largest. Highlights much smaller than a pixel are met by
  * one sample in thousands, and would be all that numbers of a whole picture tell.
  */
 const RARE = 0.005;
@@ -50,28 +43,39 @@ export class Spread {
   variance(i: number): number {
     return Math.max((this.#squares[i] as number) - this.count * this.mean(i) ** 2, 0) / (this.count - 1);
   }
-
-  /** The mean of all of them and how well it is known. */
-  converged(): Converged {
-    const indices = this.#sum.map((_, i) => i);
-    return {
-      mean: Float32Array.from(indices, (i) => this.mean(i)),
-      variance: Float64Array.from(indices, (i) => this.variance(i) / this.count),
-    };
-  }
 }
 
 /** What the square of an error is divided by. */
 export const relativeTo = (right: number): number => right ** 2 + EPSILON;
 
-/** Of each number, whether its pixel is one of the rare ones. */
-function rareNumbers(variances: readonly number[]): readonly boolean[] {
-  const ofPixel = (i: number): number => sum(variances.slice(3 * i, 3 * i + 3));
-  const pixels = Array.from({ length: variances.length / 3 }, (_, i) => ({ i, variance: ofPixel(i) }));
-  const worst = pixels.sort((a, b) => b.variance - a.variance).slice(0, Math.round(RARE * pixels.length));
-  const rare = new Set(worst.map(({ i }) => i));
-  return variances.map((_, i) => rare.has(Math.floor(i / 3)));
+/** What the errors of all settings of a scene are measured with. */
+export interface Yardstick {
+  /** Of each number, what the square of its error is divided by. */
+  readonly squares: Float64Array;
+  /** Of each number, whether its pixel is one of the rare ones. */
+  readonly isRare: readonly boolean[];
 }
+
+/**
+ * From converged pictures that serve for nothing else. Were the rare pixels chosen by the pictures that are judged, or by what
+ * they are held to, those would stay in which rare events happened not to occur: too dark, all of them.
+ * @param others drawn in other ways, in which other pixels may be rare.
+ */
+export function yardstickOf(pictures: Spread, ...others: readonly Spread[]): Yardstick {
+  const squares = Float64Array.from({ length: pictures.length }, (_, i) => relativeTo(pictures.mean(i)));
+  const rare = new Set([pictures, ...others].flatMap((spread) => rarePixels(spread, squares)));
+  return { squares, isRare: Array.from(squares, (_, i) => rare.has(Math.floor(i / 3))) };
+}
+
+function rarePixels(spread: Spread, squares: Float64Array): readonly number[] {
+  const variances = perPixel(spread.length, (i) => spread.variance(i) / (squares[i] as number));
+  const order = [...variances.keys()].sort((a, b) => (variances[b] as number) - (variances[a] as number));
+  return order.slice(0, Math.round(RARE * order.length));
+}
+
+/** The mean of the three numbers of each pixel. */
+const perPixel = (length: number, at: (i: number) => number): readonly number[] =>
+  Array.from({ length: length / 3 }, (_, pixel) => (at(3 * pixel) + at(3 * pixel + 1) + at(3 * pixel + 2)) / 3);
 
 export interface Noise {
   /** Root of the mean of variance / (mean² + ε) of one picture, over all of its pixels. */
@@ -82,9 +86,8 @@ export interface Noise {
   readonly rareShare: number;
 }
 
-export function noiseOf(spread: Spread, { mean }: Converged): Noise {
-  const relative = Array.from(mean, (value, i) => spread.variance(i) / relativeTo(value));
-  const isRare = rareNumbers(relative);
+export function noiseOf(spread: Spread, { squares, isRare }: Yardstick): Noise {
+  const relative = Array.from(squares, (square, i) => spread.variance(i) / square);
   const most = relative.filter((_, i) => !isRare[i]);
   const all = sum(relative);
   return {
@@ -95,27 +98,34 @@ export function noiseOf(spread: Spread, { mean }: Converged): Noise {
 }
 
 export interface Bias {
-  /** Root of the mean of (what pictures are on average - what is right)² / (right² + ε). */
+  /**
+   * Mean of (what pictures are on average - what is right)² / (right² + ε), less what noise adds to it. Where there is no bias
+   * it is 0 on average, and so below 0 half of the time.
+   */
+  readonly squaredBias: number;
+  /** Its root, or 0. */
   readonly bias: number;
   /** What it may be if chance was unkind: two standard errors more. */
   readonly biasAtMost: number;
 }
 
-/** Without the rare pixels, and without what is left of noise in the mean and in what is held to be right. */
-export function biasOf(spread: Spread, { mean, variance }: Converged): Bias {
-  const noise = Array.from(
-    mean,
-    (value, i) => (spread.variance(i) / spread.count + (variance[i] as number)) / relativeTo(value),
-  );
-  const isRare = rareNumbers(noise);
-  const squares = Array.from(
-    mean,
-    (value, i) => (spread.mean(i) - value) ** 2 / relativeTo(value) - (noise[i] as number),
-  ).filter((_, i) => !isRare[i]);
-  const square = average(squares);
-  const deviation = Math.sqrt(average(squares.map((value) => (value - square) ** 2)) / squares.length);
-  const known = Math.max(square, 0);
-  return { bias: Math.sqrt(known), biasAtMost: Math.sqrt(known + 2 * deviation) };
+/**
+ * Without the rare pixels. The square of a mean less its variance is the mean of the products of any two different pictures:
+ * each factor has noise of its own, so that on average the products have none.
+ * @param right pictures of what is right with random numbers of their own. Without them, `pictures` are differences: each of
+ * a picture and of what is right with the same random numbers.
+ */
+export function biasOf(pictures: Spread, { squares, isRare }: Yardstick, right?: Spread): Bias {
+  const squared = perPixel(squares.length, (i) => {
+    const error = pictures.mean(i) - (right?.mean(i) ?? 0);
+    const noise = pictures.variance(i) / pictures.count + (right ? right.variance(i) / right.count : 0);
+    return (error ** 2 - noise) / (squares[i] as number);
+  });
+  const most = squared.filter((_, pixel) => !isRare[3 * pixel]);
+  const squaredBias = average(most);
+  const deviation = Math.sqrt(average(most.map((value) => (value - squaredBias) ** 2)) / most.length);
+  const known = Math.max(squaredBias, 0);
+  return { squaredBias, bias: Math.sqrt(known), biasAtMost: Math.sqrt(known + 2 * deviation) };
 }
 
 const sum = (values: readonly number[]): number => values.reduce((total, value) => total + value, 0);

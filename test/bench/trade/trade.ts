@@ -19,23 +19,33 @@ export interface TradeNumbers {
   readonly stopping?: readonly Governed[];
 }
 
+/** @param save takes what there is after every scene: all of them take more than half an hour. */
 export async function benchTrade(
   browser: Browser,
   scenes: readonly { readonly name: string; readonly scene: string }[],
   quick: boolean,
-): Promise<Trade> {
+  save: (part: { readonly trade: Trade }) => void,
+): Promise<void> {
   const started = await startBrowser(browser, TRADE_PAGE);
-  const trade = await measureTrade(started, scenes, quick ? QUICK_TRADE : THOROUGH_TRADE, printScene);
+  await measureTrade(started, scenes, quick ? QUICK_TRADE : THOROUGH_TRADE, (name, trade) => {
+    printScene(name, trade[name] as SceneTrade);
+    save({ trade });
+  });
   await started.close();
-  return trade;
 }
 
-/** What several runs wrote, as if it were one: of what more than one measured, the last counts. */
-export const readNumbers = (files: readonly string[]): Partial<TradeNumbers> =>
-  Object.assign({}, ...files.map((file) => JSON.parse(readFileSync(file, 'utf8'))));
+/** What several runs wrote, as if it were one: of what more than one measured, the last counts, scene by scene. */
+export function readNumbers(files: readonly string[]): Partial<TradeNumbers> {
+  const all: readonly Partial<TradeNumbers>[] = files.map((file) => JSON.parse(readFileSync(file, 'utf8')));
+  const scenes = all.flatMap(({ trade = {} }) => Object.entries(trade));
+  const trade = Object.fromEntries([...new Map(scenes)].sort(([one], [other]) => (one < other ? -1 : 1)));
+  return Object.assign({}, ...all, scenes.length > 0 && { trade });
+}
 
 function printScene(name: string, { settings, converged }: SceneTrade): void {
-  console.log(`\n${name}: held to ${converged.samples} samples with a noise of ${percent(converged.noise)}`);
+  console.log(
+    `\n${name}: held to ${converged.samples} samples with a noise of ${percent(converged.noise)}; ${settings[0]?.seeds} seeds`,
+  );
   console.log(line(['', 'ms/sample', 'samples', 'noise', 'bias', 'PSNR', 'FLIP', 'first ms', 'compile']));
   for (const { name: setting, msPerSample, points, bias, firstFrameMs, compileMs } of settings) {
     const last = points.at(-1) as (typeof points)[number];

@@ -1,0 +1,87 @@
+/** How long the settings of a scene take, compared with each other. */
+import type { BenchPage } from '../browser-pages.ts';
+import { childrenCpuMs } from '../cpu-time.ts';
+import type { Turn } from './page.ts';
+import { typical } from './statistics.ts';
+
+declare const trade: typeof import('./page.ts');
+
+export interface PacePlan {
+  /** Every setting has a turn in each of them, and one in which frames are shown in every third. */
+  readonly rounds: number;
+  /** At least, of each turn. */
+  readonly turnMs: number;
+}
+
+export interface Pace {
+  /** Of each round: time for a sample over that of the first setting before and after. */
+  readonly timeRatios: readonly number[];
+  /** Of processors where the system tells, else of the clock: the median of the first setting, times that of the ratios. */
+  readonly msPerSample: number;
+  /** Of the rounds: mean distance of the middle half from the median. */
+  readonly msSpread: number;
+  /** The same of a frame in which one sample is drawn and the picture is shown. */
+  readonly msPerFrame: number;
+  readonly msPerFrameSpread: number;
+}
+
+/**
+ * All settings in turns, forwards and backwards, each between two turns of the first one: what grows or wanes with time favours
+ * nobody, and what else the machine does at the time is in both parts of a ratio.
+ * @param count of the settings that are open in the page.
+ */
+export async function measurePaces(page: BenchPage, count: number, plan: PacePlan): Promise<readonly Pace[]> {
+  const turns: Turn[] = [];
+  for (let index = 0; index < count; index++) turns.push(await firstTurn(page, index, plan));
+  const { base, samples, ratios } = await compare(page, turns, plan);
+  const frames: number[][] = turns.map(() => []);
+  for (let round = 0; round < plan.rounds; round += 3) {
+    for (const turn of turns) frames[turn.index]?.push(await takeTurn(page, { ...turn, shows: true }));
+  }
+  const milliseconds = typical(base).median;
+  return frames.map((frame, index) => {
+    const timeRatios = ratios[index] as readonly number[];
+    return {
+      timeRatios,
+      msPerSample: milliseconds * typical(timeRatios).median,
+      msSpread: typical(samples[index] as readonly number[]).spread,
+      msPerFrame: typical(frame).median,
+      msPerFrameSpread: typical(frame).spread,
+    };
+  });
+}
+
+/** What is done first takes longer: samples, and a frame. Returns turns that are long enough. */
+async function firstTurn(page: BenchPage, index: number, { turnMs }: PacePlan): Promise<Turn> {
+  await page.execute((turn) => trade.run(turn), { index, samples: 1, shows: true });
+  const wall = await page.execute((turn) => trade.run(turn), { index, samples: 2, shows: false });
+  return { index, samples: Math.max(1, Math.ceil((2 * turnMs) / wall)), shows: false };
+}
+
+/** Milliseconds for a sample, and what they are over those of the first setting. */
+async function compare(page: BenchPage, turns: readonly Turn[], { rounds }: PacePlan) {
+  const [first, ...others] = turns as [Turn, ...Turn[]];
+  const base: number[] = [];
+  const samples: number[][] = [base, ...others.map(() => [])];
+  const ratios: number[][] = [Array(rounds).fill(1), ...others.map(() => [])];
+  for (let round = 0; round < rounds; round++) {
+    base.push(await takeTurn(page, first));
+    for (const turn of round % 2 === 0 ? others : [...others].reverse()) {
+      const before = base.at(-1) as number;
+      const time = await takeTurn(page, turn);
+      const after = await takeTurn(page, first);
+      base.push(after);
+      samples[turn.index]?.push(time);
+      ratios[turn.index]?.push((2 * time) / (before + after));
+    }
+  }
+  return { base, samples, ratios };
+}
+
+/** Milliseconds for a sample, or for a frame that shows it. */
+async function takeTurn(page: BenchPage, turn: Turn): Promise<number> {
+  const before = childrenCpuMs();
+  const wall = await page.execute((one) => trade.run(one), turn);
+  const after = childrenCpuMs();
+  return (before === undefined || after === undefined ? wall : after - before) / turn.samples;
+}
