@@ -4,6 +4,11 @@ import type { RenderSettings, Scene } from '@ray-scene/core';
 import { illConditioned, relativeDifference, renderReference } from '@ray-scene/core/reference';
 import { drawn } from './drawn.ts';
 
+const { RAY_SCENE_FULL: full = false } = globalThis as { RAY_SCENE_FULL?: boolean };
+
+/** Of square pictures whose every pixel the reference draws too, in each engine: it takes most of a run's time. */
+export const SIDE = full ? 128 : 96;
+
 /** Relative to the brightest channel of the pixel. */
 const LIMIT = 1e-3;
 

@@ -1,10 +1,10 @@
 // The GPU's pictures against the f64 reference, sample by sample: both shoot the same rays, what differs is rounding.
 
 import { parseScene, type Scene } from '@ray-scene/core';
-import { expectAgreement } from './agreement.ts';
+import { expectAgreement, SIDE } from './agreement.ts';
 
 const agree = (what: string, scene: Scene, bounces = 6, samples = 1): void =>
-  expectAgreement(what, scene, { width: 128, height: 128, bounces, samples });
+  expectAgreement(what, scene, { width: SIDE, height: SIDE, bounces, samples });
 
 async function sceneFile(name: string): Promise<Scene> {
   return parseScene(await (await fetch(`/examples/scenes/${name}.json`)).text());

@@ -1,7 +1,7 @@
 // The stress set against the f64 reference, path by path; and the same bits at any scale.
 import { expect } from '@open-wc/testing';
 import { parseScene } from '@ray-scene/core';
-import { expectAgreement } from '../browser/agreement.ts';
+import { expectAgreement, SIDE } from '../browser/agreement.ts';
 import { drawn } from '../browser/drawn.ts';
 import { scaleScene } from './scale-scene.ts';
 import { extremes } from './scenes.ts';
@@ -11,7 +11,7 @@ describe('at the extremes', function () {
 
   for (const [what, scene] of Object.entries(extremes)) {
     it(`draws ${what} as f64 does`, () =>
-      expectAgreement(what, parseScene(scene), { width: 128, height: 128, bounces: 4, samples: 1 }));
+      expectAgreement(what, parseScene(scene), { width: SIDE, height: SIDE, bounces: 4, samples: 1 }));
 
     it(`draws ${what} with the same bits at any scale`, () => {
       const bits = (factor: number): Uint32Array =>
