@@ -9,6 +9,6 @@ addEventListener('message', ({ data: { picture, scene, settings } }) => {
   postMessage({
     reference,
     differences: relativeDifference(picture, reference),
-    excluded: illConditioned(scene, settings, LIMIT),
+    excluded: illConditioned(scene, settings, LIMIT, reference),
   });
 });

@@ -24,8 +24,9 @@ export type PictureSettings = Partial<RenderSettings> & { readonly width: number
 /** A picture of the GPU's: the differences of the pixels that f64 is sure of, and how many are above the limit. */
 export function pixelAgreement(picture: Float32Array, scene: Scene, given: PictureSettings) {
   const settings = { integrator: 'direct', ...given } as const;
-  const difference = relativeDifference(picture, renderReference(scene, settings));
-  const excluded = illConditioned(scene, settings, LIMIT);
+  const reference = renderReference(scene, settings);
+  const difference = relativeDifference(picture, reference);
+  const excluded = illConditioned(scene, settings, LIMIT, reference);
   const judged = difference.filter((_, pixel) => !excluded[pixel]);
   return { judged, off: judged.filter((value) => !(value <= LIMIT)).length, all: difference.length };
 }
