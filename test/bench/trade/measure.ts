@@ -21,19 +21,21 @@ export interface TradePlan extends PacePlan {
 
 export const THOROUGH_TRADE: TradePlan = {
   variants: VARIANTS,
-  convergeMs: 24_000,
+  convergeMs: 20_000,
   settingMs: 1500,
-  manyMs: 15_000,
-  rounds: 7,
+  manyMs: 10_000,
+  rounds: 5,
+  roundsMs: 20_000,
   turnMs: 30,
 };
 
 export const QUICK_TRADE: TradePlan = {
   variants: QUICK_VARIANTS,
-  convergeMs: 1500,
+  convergeMs: 800,
   settingMs: 300,
   manyMs: 0,
   rounds: 3,
+  roundsMs: 0,
   turnMs: 30,
 };
 
@@ -95,8 +97,9 @@ const openSetting = (page: BenchPage, setting: Setting) => page.execute((one) =>
 /** Of pictures whose spread is looked at. */
 const LEAST_SEEDS = 2;
 const MOST_SEEDS = 8;
-/** Converged pictures that there are at least. */
+/** Converged pictures that there are at least, and binary logarithm of the fewest samples that each of them has. */
 const LEAST_RUNS = 8;
+const LEAST_POWER = 3;
 
 /** Of the time for converged pictures, what those by `direct` may take: they tell which pixels are rare, and no more. */
 const DIRECT_SHARE = 1 / 8;
@@ -113,7 +116,7 @@ async function converge(page: BenchPage, { convergeMs }: TradePlan) {
 async function convergeBy(page: BenchPage, integrator: Setting['integrator'], milliseconds: number) {
   const end = performance.now() + milliseconds;
   const pace = await page.execute((by) => trade.paceOf(by), integrator);
-  const samples = 2 ** Math.max(Math.floor(Math.log2(milliseconds / (LEAST_RUNS * pace))), 0);
+  const samples = 2 ** Math.max(Math.floor(Math.log2(milliseconds / (LEAST_RUNS * pace))), LEAST_POWER);
   let runs = 0;
   for (; runs < LEAST_RUNS || performance.now() < end; runs++) {
     await page.execute((task) => trade.converge(task), { integrator, samples });

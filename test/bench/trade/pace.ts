@@ -7,8 +7,9 @@ import { typical } from './statistics.ts';
 declare const trade: typeof import('./page.ts');
 
 export interface PacePlan {
-  /** Every setting has a turn in each of them, and one in which frames are shown in every third. */
+  /** Every setting has a turn in each of them: at least so many, at most twice as many as long as there is time. */
   readonly rounds: number;
+  readonly roundsMs: number;
   /** At least, of each turn. */
   readonly turnMs: number;
 }
@@ -32,10 +33,13 @@ export interface Pace {
  */
 export async function measurePaces(page: BenchPage, count: number, plan: PacePlan): Promise<readonly Pace[]> {
   const turns: Turn[] = [];
-  for (let index = 0; index < count; index++) turns.push(await firstTurn(page, index, plan));
+  for (let index = 0; index < count; index++) {
+    const pace = await page.execute((one) => trade.warmUp(one), { index });
+    turns.push({ index, samples: Math.max(1, Math.ceil(plan.turnMs / pace)), shows: false });
+  }
   const { base, samples, ratios } = await compare(page, turns, plan);
   const frames: number[][] = turns.map(() => []);
-  for (let round = 0; round < plan.rounds; round += 3) {
+  for (let round = 0; round < FRAME_ROUNDS; round++) {
     for (const turn of turns) frames[turn.index]?.push(await takeTurn(page, { ...turn, shows: true }));
   }
   const milliseconds = typical(base).median;
@@ -51,20 +55,18 @@ export async function measurePaces(page: BenchPage, count: number, plan: PacePla
   });
 }
 
-/** What is done first takes longer: samples, and a frame. Returns turns that are long enough. */
-async function firstTurn(page: BenchPage, index: number, { turnMs }: PacePlan): Promise<Turn> {
-  await page.execute((turn) => trade.run(turn), { index, samples: 1, shows: true });
-  const wall = await page.execute((turn) => trade.run(turn), { index, samples: 2, shows: false });
-  return { index, samples: Math.max(1, Math.ceil((2 * turnMs) / wall)), shows: false };
-}
+/** Rounds in which each sample is shown. */
+const FRAME_ROUNDS = 2;
 
 /** Milliseconds for a sample, and what they are over those of the first setting. */
-async function compare(page: BenchPage, turns: readonly Turn[], { rounds }: PacePlan) {
+async function compare(page: BenchPage, turns: readonly Turn[], { rounds, roundsMs }: PacePlan) {
+  const end = performance.now() + roundsMs;
   const [first, ...others] = turns as [Turn, ...Turn[]];
   const base: number[] = [];
   const samples: number[][] = [base, ...others.map(() => [])];
-  const ratios: number[][] = [Array(rounds).fill(1), ...others.map(() => [])];
-  for (let round = 0; round < rounds; round++) {
+  const ratios: number[][] = turns.map(() => []);
+  for (let round = 0; round < rounds || (round < 2 * rounds && performance.now() < end); round++) {
+    ratios[0]?.push(1);
     base.push(await takeTurn(page, first));
     for (const turn of round % 2 === 0 ? others : [...others].reverse()) {
       const before = base.at(-1) as number;

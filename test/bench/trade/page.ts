@@ -28,6 +28,9 @@ function deviceOf(target: Setting['target']): RenderDevice {
 
 const NUMBERS = 3 * WIDTH * HEIGHT;
 
+/** Samples after which nothing is new: from the third on they are added to others, which drivers may compile for. */
+const WARM = 4;
+
 let scene = '';
 /** By the settings that have been opened, in that order. */
 const pictures: { readonly picture: Picture; readonly setting: Setting }[] = [];
@@ -51,6 +54,12 @@ export function open(setting: Setting): {
   const firstFrameMs = performance.now() - start;
   pictures.push({ picture, setting });
   return { compileMs: compiled - start, firstFrameMs, shaderChars: picture.shaderChars };
+}
+
+/** Does what takes longer the first time, and returns how many milliseconds a sample takes. */
+export function warmUp({ index }: Pick<Turn, 'index'>): number {
+  run({ index, samples: WARM, shows: true });
+  return run({ index, samples: WARM, shows: false }) / WARM;
 }
 
 export interface Turn {
@@ -80,6 +89,12 @@ const opened = (index: number): (typeof pictures)[number] => pictures[index] as 
 /** So that no other picture has the random numbers of the converged ones. */
 const FIRST_SEED = 1000;
 
+/** The one that is open, so that it is not compiled again, or another. */
+function pictureOf(setting: Setting): Picture {
+  const same = pictures.find((one) => JSON.stringify(one.setting) === JSON.stringify(setting));
+  return same?.picture ?? new Picture(deviceOf(setting.target), scene, setting);
+}
+
 /** Draws pictures of many samples. */
 class Converging {
   readonly #setting: Setting;
@@ -93,7 +108,7 @@ class Converging {
   }
 
   draw(samples: number, seed: number): Radiance {
-    this.#picture ??= new Picture(deviceOf(this.#setting.target), scene, this.#setting);
+    this.#picture ??= pictureOf(this.#setting);
     this.#picture.clear();
     this.#picture.drawTo(samples, seed);
     return this.#picture.read();
@@ -117,7 +132,7 @@ const partners: Radiance[] = [];
 
 /** How many milliseconds a sample of a converged picture takes. */
 export function paceOf(integrator: Setting['integrator']): number {
-  converging[integrator].draw(1, 0);
+  converging[integrator].draw(WARM, 0);
   const [samples, start] = [8, performance.now()];
   converging[integrator].draw(samples, 0);
   return (performance.now() - start) / samples;

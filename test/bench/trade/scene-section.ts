@@ -52,7 +52,8 @@ function settingRow(one: Measured): readonly (string | number)[] {
   ];
 }
 
-const biasText = ({ bias, biasAtMost }: Measured): string =>
+/** Whether chance might be all of it is told. */
+export const biasText = ({ bias, biasAtMost }: Pick<Measured, 'bias' | 'biasAtMost'>): string =>
   bias < biasAtMost / 2 ? `≤ ${percent(biasAtMost)}` : percent(bias);
 
 const pointAt = ({ points }: Measured): Measured['points'][number] =>

@@ -116,14 +116,21 @@ export interface Bias {
  * a picture and of what is right with the same random numbers.
  */
 export function biasOf(pictures: Spread, { squares, isRare }: Yardstick, right?: Spread): Bias {
-  const squared = perPixel(squares.length, (i) => {
-    const error = pictures.mean(i) - (right?.mean(i) ?? 0);
-    const noise = pictures.variance(i) / pictures.count + (right ? right.variance(i) / right.count : 0);
-    return (error ** 2 - noise) / (squares[i] as number);
-  });
-  const most = squared.filter((_, pixel) => !isRare[3 * pixel]);
-  const squaredBias = average(most);
-  const deviation = Math.sqrt(average(most.map((value) => (value - squaredBias) ** 2)) / most.length);
+  const noiseAt = (i: number): number =>
+    (pictures.variance(i) / pictures.count + (right ? right.variance(i) / right.count : 0)) / (squares[i] as number);
+  const most = (values: readonly number[]): readonly number[] => values.filter((_, pixel) => !isRare[3 * pixel]);
+  const noise = most(perPixel(squares.length, noiseAt));
+  const squared = most(
+    perPixel(squares.length, (i) => {
+      const error = pictures.mean(i) - (right?.mean(i) ?? 0);
+      return error ** 2 / (squares[i] as number) - noiseAt(i);
+    }),
+  );
+  const squaredBias = average(squared);
+  // Rare events that no two pictures share leave all products 0. That they might have shared them is seen from the noise: of
+  // two pictures, a product deviates by their variance.
+  const chance = squared.map((value, i) => Math.max(Math.abs(value - squaredBias), 2 * (noise[i] as number)));
+  const deviation = Math.sqrt(average(chance.map((value) => value ** 2)) / chance.length);
   const known = Math.max(squaredBias, 0);
   return { squaredBias, bias: Math.sqrt(known), biasAtMost: Math.sqrt(known + 2 * deviation) };
 }

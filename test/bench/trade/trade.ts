@@ -10,6 +10,8 @@ import { measureTrade, QUICK_TRADE, type SceneTrade, THOROUGH_TRADE, TRADE_PAGE,
 import { plotTrade } from './plots.ts';
 import { presetsOf } from './presets.ts';
 import { reportText } from './report.ts';
+import { biasText } from './scene-section.ts';
+import { percent } from './words.ts';
 
 /** What reports are made from. */
 export interface TradeNumbers {
@@ -47,9 +49,16 @@ function printScene(name: string, { settings, converged }: SceneTrade): void {
     `\n${name}: held to ${converged.samples} samples with a noise of ${percent(converged.noise)}; ${settings[0]?.seeds} seeds`,
   );
   console.log(line(['', 'ms/sample', 'samples', 'noise', 'bias', 'PSNR', 'FLIP', 'first ms', 'compile']));
-  for (const { name: setting, msPerSample, points, bias, firstFrameMs, compileMs } of settings) {
+  for (const measured of settings) {
+    const { name: setting, msPerSample, points, firstFrameMs, compileMs } = measured;
     const last = points.at(-1) as (typeof points)[number];
-    const accuracy = [last.samples, percent(last.noise), percent(bias), last.psnr.toFixed(1), last.flip.toFixed(3)];
+    const accuracy = [
+      last.samples,
+      percent(last.noise),
+      biasText(measured),
+      last.psnr.toFixed(1),
+      last.flip.toFixed(3),
+    ];
     console.log(line([setting, msPerSample.toFixed(2), ...accuracy, firstFrameMs.toFixed(0), compileMs.toFixed(0)]));
   }
 }
@@ -68,8 +77,6 @@ export function writeReport(numbers: TradeNumbers): void {
   for (const [name, scene] of Object.entries(trade)) write(plotOf(name), plotTrade(sceneChoices(scene)));
   write('what-accuracy-costs.md', reportText({ ...numbers, presets }, plotOf));
 }
-
-const percent = (share: number): string => `${(100 * share).toFixed(1)} %`;
 
 const line = ([name, ...numbers]: readonly (string | number)[]): string =>
   String(name).padEnd(34) + numbers.map((number) => String(number).padStart(10)).join('');
