@@ -37,10 +37,13 @@ export async function measurePaces(page: BenchPage, count: number, plan: PacePla
     const pace = await page.execute((one) => trade.warmUp(one), { index });
     turns.push({ index, samples: Math.max(1, Math.ceil(plan.turnMs / pace)), shows: false });
   }
-  const { base, samples, ratios } = await compare(page, turns, plan);
+  const empty: number[] = [];
+  for (let i = 0; i < EMPTY_TURNS; i++) empty.push(await turnMs(page, { index: 0, samples: 0, shows: false }));
+  const timer: Timer = { page, emptyMs: typical(empty).median };
+  const { base, samples, ratios } = await compare(timer, turns, plan);
   const frames: number[][] = turns.map(() => []);
   for (let round = 0; round < FRAME_ROUNDS; round++) {
-    for (const turn of turns) frames[turn.index]?.push(await takeTurn(page, { ...turn, shows: true }));
+    for (const turn of turns) frames[turn.index]?.push(await takeTurn(timer, { ...turn, shows: true }));
   }
   const milliseconds = typical(base).median;
   return frames.map((frame, index) => {
@@ -57,9 +60,16 @@ export async function measurePaces(page: BenchPage, count: number, plan: PacePla
 
 /** Rounds in which each sample is shown. */
 const FRAME_ROUNDS = 2;
+const EMPTY_TURNS = 9;
+
+/** What a turn takes in which nothing is drawn is not counted: it would be more of a sample where a turn has few. */
+interface Timer {
+  readonly page: BenchPage;
+  readonly emptyMs: number;
+}
 
 /** Milliseconds for a sample, and what they are over those of the first setting. */
-async function compare(page: BenchPage, turns: readonly Turn[], { rounds, roundsMs }: PacePlan) {
+async function compare(timer: Timer, turns: readonly Turn[], { rounds, roundsMs }: PacePlan) {
   const end = performance.now() + roundsMs;
   const [first, ...others] = turns as [Turn, ...Turn[]];
   const base: number[] = [];
@@ -67,11 +77,11 @@ async function compare(page: BenchPage, turns: readonly Turn[], { rounds, rounds
   const ratios: number[][] = turns.map(() => []);
   for (let round = 0; round < rounds || (round < 2 * rounds && performance.now() < end); round++) {
     ratios[0]?.push(1);
-    base.push(await takeTurn(page, first));
+    base.push(await takeTurn(timer, first));
     for (const turn of round % 2 === 0 ? others : [...others].reverse()) {
       const before = base.at(-1) as number;
-      const time = await takeTurn(page, turn);
-      const after = await takeTurn(page, first);
+      const time = await takeTurn(timer, turn);
+      const after = await takeTurn(timer, first);
       base.push(after);
       samples[turn.index]?.push(time);
       ratios[turn.index]?.push((2 * time) / (before + after));
@@ -81,9 +91,12 @@ async function compare(page: BenchPage, turns: readonly Turn[], { rounds, rounds
 }
 
 /** Milliseconds for a sample, or for a frame that shows it. */
-async function takeTurn(page: BenchPage, turn: Turn): Promise<number> {
+const takeTurn = async ({ page, emptyMs }: Timer, turn: Turn): Promise<number> =>
+  ((await turnMs(page, turn)) - emptyMs) / turn.samples;
+
+async function turnMs(page: BenchPage, turn: Turn): Promise<number> {
   const before = childrenCpuMs();
   const wall = await page.execute((one) => trade.run(one), turn);
   const after = childrenCpuMs();
-  return (before === undefined || after === undefined ? wall : after - before) / turn.samples;
+  return before === undefined || after === undefined ? wall : after - before;
 }
