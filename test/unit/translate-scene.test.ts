@@ -162,6 +162,44 @@ test('a medium is what contains it, or there is a reason not to render the scene
   assert.match(String(reason(with1(glass, floor))), /interface/);
 });
 
+const indices = (materials: NeutralScene['materials'], ...objects: NeutralObject[]): readonly unknown[] =>
+  ours({ materials, objects }).objects.map(({ ior, objects: inner }) =>
+    inner ? (inner as Ours['objects'])[0]?.ior : ior,
+  );
+const medium = (iorInside: number, iorOutside: number): NeutralMaterial => ({
+  type: 'dielectric',
+  iorInside,
+  iorOutside,
+});
+
+test('what is inside of glass is so in boxes and cylinders too, turned, and where they touch', () => {
+  const materials = { glass: medium(1.5, 1), water: medium(1.33, 1.5), air: medium(1, 1.33) };
+  const small = { ...ball, center: [0.4, 0, 0], radius: 0.2, material: 'air' } as const;
+  const box: NeutralObject = { shape: 'box', min: [-2, -1, -1], max: [2, 1, 1], rotateYDegrees: 30, material: 'glass' };
+  const can: NeutralObject = { shape: 'cylinder', a: [-0.7, 0, 0], b: [0.7, 0, 0], radius: 0.6, material: 'water' };
+  assert.deepEqual(indices(materials, small, can, box), [1, 1.33, 1.5]);
+  // Water that reaches out of the box is not in it, and less dense than what it says is around it.
+  const wide = { ...can, radius: 1.1 };
+  assert.match(String(reason({ materials, objects: [wide, box] })), /medium/);
+  const touching = { ...ball, center: [Math.fround(0.3), 0, 0], radius: Math.fround(0.7), material: 'water' } as const;
+  assert.deepEqual(indices(materials, touching, { ...ball, material: 'glass' }), [1.33, 1.5]);
+});
+
+test('what counts of indices is their ratio to what is around everything', () => {
+  const materials = { glass: medium(1.8, 1.2), core: medium(2.4, 1.8), air: medium(1, 1.8) };
+  const core = { ...ball, radius: 0.5, material: 'core' };
+  const [inner, outer] = indices(materials, core, { ...ball, material: 'glass' });
+  assert.ok(Math.abs((inner as number) - 2) < 1e-12 && Math.abs((outer as number) - 1.5) < 1e-12, `${inner}, ${outer}`);
+  const thinner = {
+    materials,
+    objects: [
+      { ...core, material: 'air' },
+      { ...ball, material: 'glass' },
+    ],
+  };
+  assert.match(String(reason(thinner)), /medium of 0.83/);
+});
+
 test('what there are no words for is a reason, not an error', () => {
   const reasons = [
     { objects: [{ shape: 'mesh', material: 'grey' }] },

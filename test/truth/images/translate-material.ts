@@ -1,18 +1,14 @@
 /** The materials of the neutral description as ours. */
-import type { Vec3 } from '@ray-scene/core';
-import { length, subtract } from '../../../packages/core/src/vector.ts';
+import { indexInside } from './interfaces.ts';
 import type { NeutralMaterial, NeutralObject, NeutralScene } from './neutral-scene.ts';
 import { given, Untranslatable } from './untranslatable.ts';
-
-/** Shapes with an inside; of others ours are thin panes, where the other renderer has a single interface. */
-const CLOSED = ['sphere', 'box', 'cylinder', 'cone', 'torus'];
 
 const materials: { readonly [type: string]: (material: NeutralMaterial) => object } = {
   lambert: (material) => ({ color: given(material, 'albedo').albedo, roughness: 1, specular: 0 }),
   mirror: (material) => ({ ...metal(material), roughness: 0 }),
   ggxConductor: (material) => ({ ...metal(material), roughness: roughness(material) }),
-  dielectric: (material) => ({ ...glass(material), roughness: 0 }),
-  roughDielectric: (material) => ({ ...glass(material), roughness: roughness(material) }),
+  dielectric: () => ({ ...glass, roughness: 0 }),
+  roughDielectric: (material) => ({ ...glass, roughness: roughness(material) }),
 };
 
 const roughness = (material: NeutralMaterial): number => Math.sqrt(given(material, 'alpha').alpha);
@@ -25,19 +21,16 @@ function metal({ reflectance = [1, 1, 1] }: NeutralMaterial): object {
   return { color: reflectance, metalness: 1 };
 }
 
-const glass = (material: NeutralMaterial): object => ({
-  color: [1, 1, 1],
-  transmission: 1,
-  ior: given(material, 'iorInside').iorInside,
-});
+/** Its index depends on what is around the object. */
+const glass = { color: [1, 1, 1], transmission: 1 };
 
 export function materialOf(object: NeutralObject, scene: NeutralScene): object {
   const material = scene.materials[object.material];
   const translate = material && Object.hasOwn(materials, material.type) ? materials[material.type] : undefined;
   if (!material || !translate) throw new Untranslatable(`there is no material ${material?.type ?? object.material}`);
-  if (material.iorInside !== undefined) checkInterface(object, material.iorOutside ?? 1, scene);
   return {
     ...(material.checker ? checkered(object, material.checker) : translate(material)),
+    ...(material.iorInside === undefined ? {} : { ior: indexInside(object, scene) }),
     ...emissionOf(object),
   };
 }
@@ -70,21 +63,3 @@ function emissionOf({ emission, emissionSide = 'outside' }: NeutralObject): obje
   if (!sides[emissionSide]) throw new Untranslatable(`there is no emission on the side ${emissionSide}`);
   return { emission, emissionSide: sides[emissionSide] };
 }
-
-/** Theirs says what is on both sides of an interface; ours knows by what contains it, so that both must agree. */
-function checkInterface(object: NeutralObject, iorOutside: number, scene: NeutralScene): void {
-  if (!CLOSED.includes(object.shape)) throw new Untranslatable(`there is no interface that is a ${object.shape}`);
-  if (object.shape !== 'sphere') return;
-  const around = scene.objects
-    .filter((other) => other !== object && contains(other, object))
-    .sort((a, b) => (a.radius as number) - (b.radius as number))
-    .map((other) => scene.materials[other.material]?.iorInside)
-    .find((ior) => ior !== undefined);
-  if ((around ?? 1) !== iorOutside) {
-    throw new Untranslatable(`there is a medium of ${around ?? 1} around a sphere, and the scene says ${iorOutside}`);
-  }
-}
-
-const contains = (outer: NeutralObject, inner: NeutralObject): boolean =>
-  outer.shape === 'sphere' &&
-  length(subtract(outer.center as Vec3, inner.center as Vec3)) + (inner.radius as number) < (outer.radius as number);
