@@ -1,5 +1,6 @@
 // The samples that a picture has so far: linear radiance premultiplied by coverage, those with even and those with odd
-// numbers apart. Each half is the sum of its samples, or their mean where targets are of half floats.
+// numbers apart. Each half is the sum of its samples, or their mean where targets are of half floats. Precision: that of the
+// targets.
 #include "generated/cells.glsl"
 
 uniform highp sampler2D even;

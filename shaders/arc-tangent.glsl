@@ -1,5 +1,5 @@
 // The angle of the point (x, y) in (-pi, pi], to 2e-7: the built-in atan is off by up to 4e-6 on some drivers.
-// Source: S. Moshier, Cephes library, atanf: a polynomial on |t| <= tan(pi / 8), and reflections to get there.
+// Source: S. Moshier, Cephes library, atanf: a polynomial on |t| <= tan(pi / 8), and reflections to get there. Precision: f32.
 float arcTangent(float y, float x) {
   vec2 a = abs(vec2(x, y));
   float t = min(a.x, a.y) / max(max(a.x, a.y), SMALLEST);

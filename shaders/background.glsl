@@ -1,4 +1,4 @@
-// What a camera ray shows that meets nothing.
+// What a camera ray shows that meets nothing. Precision: f32.
 vec4 background(Parts scene, vec3 d) {
 #if defined(BACKGROUND_ENVIRONMENT)
   return vec4(environmentRadiance(scene.surroundings, d), 1.0);

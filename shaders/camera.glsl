@@ -1,5 +1,5 @@
 // The unit direction of the camera ray of this fragment. Rays start at the origin: the scene is packed relative to the
-// camera. The sample's place in the pixel is already in `corner`.
+// camera. The sample's place in the pixel is already in `corner`. Precision: f32.
 #ifdef VARYINGS
 in vec3 ray;
 #else

@@ -1,7 +1,7 @@
-const float INVERSE_PI = 0.31830988618;
-
 // The unit vector at the angle 2 pi u, for u in [0, 1]. Precision: f32 within 1e-7; built-in sines are off by 2e-4 on some
 // drivers. Within an eighth of the circle around each half axis, polynomials of least largest error (Remez exchange).
+const float INVERSE_PI = 0.31830988618;
+
 vec2 circle(float u) {
   float quarter = floor(4.0 * u + 0.5);
   float f = 4.0 * u - quarter;

@@ -1,6 +1,6 @@
 // Integrator `direct`: T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980, with the
 // microfacet model of today. At every vertex the light of all lights through the full BRDF, then on along the mirror
-// direction, weighted by Fresnel whatever the roughness. No random numbers: free of noise.
+// direction, weighted by Fresnel whatever the roughness. No random numbers: free of noise. Precision: f32.
 #include "constants.glsl"
 #include "material/metallic-roughness.glsl"
 #include "surface.glsl"

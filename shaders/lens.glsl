@@ -1,5 +1,7 @@
 // Camera rays of paths, in units of the packed scene: from the camera, which is the origin; from a point of the lens to
-// the point in focus; or from a plane ahead of the camera.
+// the point in focus; or from a plane ahead of the camera. Source of the lens: R. Cook, T. Porter, L. Carpenter, "Distributed
+// Ray Tracing", SIGGRAPH 1984; M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 4th ed., section 5.2.3.
+// Precision: f32; where that does not tell pixels apart, see EXACT_RAYS and DISTANT.
 #include "generated/view.glsl"
 #include "sampler.glsl"
 #ifdef LENS

@@ -1,5 +1,6 @@
 // Which closed objects a path is inside of, the one that it entered last first. That one is the medium, whatever else is
 // there. Kept as far as the scene tells media apart: with one object that light goes through, its sides say enough.
+// Precision: f32; which medium it is, is exact.
 
 struct Media {
 #ifdef NESTED

@@ -1,7 +1,8 @@
 // Integrator `path`: unidirectional path tracing with next-event estimation and multiple importance sampling by the power
-// heuristic. Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, sections 9.2.4 and 10.3;
-// J. Kajiya, "The Rendering Equation", SIGGRAPH 1986. What is computed, and the table of random numbers:
-// docs/light-transport.md. Precision: f32.
+// heuristic. Source: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; E. Veach, "Robust Monte Carlo Methods for Light
+// Transport Simulation", 1997, section 9.2.3; Russian roulette with the indices of refraction left out of the throughput as in
+// M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 4th ed., section 13.4. What is computed, and the table of
+// random numbers: docs/light-transport.md. Precision: f32.
 #include "constants.glsl"
 #include "sampler.glsl"
 #include "lens.glsl"

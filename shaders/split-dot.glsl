@@ -1,4 +1,5 @@
 // Dot products whose bits matter: built-in `dot` adds up in an order that differs between drivers.
+// Precision: f32, and `splitDot` almost twice that.
 
 float dotInOrder(vec3 a, vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

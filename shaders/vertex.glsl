@@ -1,4 +1,5 @@
 // What a surface does to light, where a path meets it: its material with the index of refraction of what is on its sides.
+// Precision: f32.
 
 Bsdf bsdfAt(Material m, float eta, bool closed) {
   Bsdf b;

@@ -1,6 +1,6 @@
 // Integrator `direct` where light is more than points, or goes through surfaces: T. Whitted, "An Improved Illumination Model
 // for Shaded Display", CACM 23(6), 1980. As direct.glsl: the light of all lights, then on in the one mirror direction or
-// the refracted one, whatever the roughness. Of the two directions behind glass one is followed, by chance.
+// the refracted one, whatever the roughness. Of the two directions behind glass one is followed, by chance. Precision: f32.
 
 #if defined(ENVIRONMENT) && defined(OPAQUE_BASE)
 vec3 diffuseAlbedo(Bsdf bsdf, float cosine) {

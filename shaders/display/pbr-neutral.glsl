@@ -1,6 +1,6 @@
 // Maps linear Rec. 709 in [0, infinity) into [0, 1]: keeps the base colours of surfaces, compresses only highlights.
 // Source: Khronos PBR Neutral Tone Mapper, specification,
-// https://github.com/KhronosGroup/ToneMapping/tree/main/PBR_Neutral, with its names F90, Ks, Kd, f, p, pn and g.
+// https://github.com/KhronosGroup/ToneMapping/tree/main/PBR_Neutral, with its names F90, Ks, Kd, f, p, pn and g. Precision: f32.
 const float F90 = 0.04;
 const float KS = 0.8 - F90;
 const float KD = 0.15;

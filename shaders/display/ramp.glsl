@@ -1,6 +1,6 @@
 // A colour for a number from 0 (dark blue) to 1 (yellow), encoded in sRGB: equal steps look equal, and order is seen
 // without colour vision too. The ramp "viridis" (S. van der Walt, N. Smith, E. Firing, matplotlib 1.5, 2015) as the
-// polynomials that M. Zucker fitted to its channels (CC0, shadertoy.com/view/WlfXRN): within 0.01 of the table.
+// polynomials that M. Zucker fitted to its channels (CC0, shadertoy.com/view/WlfXRN): within 0.01 of the table. Precision: f32.
 vec3 ramp(float t) {
   const vec3 c0 = vec3(0.2777273272234177, 0.005407344544966578, 0.3340998053353061);
   const vec3 c1 = vec3(0.1050930431085774, 1.404613529898575, 1.384590162594685);

@@ -1,4 +1,4 @@
-// Light from infinitely far away, from everywhere: radiance mean + slope y, y the height of the unit direction.
+// Light from infinitely far away, from everywhere: radiance mean + slope y, y the height of the unit direction. Precision: f32.
 vec3 environmentRadiance(Surroundings s, vec3 d) {
 #ifdef GRADIENT
   return s.mean + d.y * s.slope;

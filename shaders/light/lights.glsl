@@ -1,5 +1,5 @@
 // The light that point and directional lights send to the eye by way of a surface. The 1 / pi of every BRDF is already
-// in the packed intensities.
+// in the packed intensities. Precision: f32.
 
 // Light that arrives along -l, `strength` times as strong as `color`, times BRDF and cosine; 0 from behind the surface.
 vec3 scattered(vec3 color, float strength, Surface s, vec3 l, vec3 d) {

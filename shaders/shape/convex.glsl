@@ -1,4 +1,4 @@
-// What convex solids share: a line is inside of one from t.x to t.y, or never where t.x > t.y.
+// What convex solids share: a line is inside of one from t.x to t.y, or never where t.x > t.y. Precision: f32.
 
 // The nearest way in or out that is ahead, or MISS. Of a ray that leaves the solid's own surface (own = 1), the crossing
 // nearer to 0 is the one where it starts: whatever was rounded, it is left out. What is not below MISS is a miss.

@@ -1,6 +1,6 @@
 // Ray against plane: t = height / (down·d), `down` being the unit vector from the camera's side, where all rays are, into
 // the plane. So the plane is met where down·d > 0, and nothing that it could hide is ever lit (see `dimmed` in
-// pack-scene.ts). Level planes get by with the y component, a sign; for others see plane-tilted.glsl.
+// pack-scene.ts). Level planes get by with the y component, a sign; for others see plane-tilted.glsl. Precision: f32.
 
 // What all rays from a point share: its height above the plane.
 struct PlaneFrom {

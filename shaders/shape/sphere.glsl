@@ -1,7 +1,7 @@
-// Ray against sphere without cancellation, for unit directions and points relative to the camera, all in f32.
+// Ray against sphere without cancellation, for unit directions and points relative to the camera.
 // Source: E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7 (2019): the
 // discriminant from the part of the centre perpendicular to the ray; the roots without subtraction. There are no branches:
-// a driver may run both sides of one anyway.
+// a driver may run both sides of one anyway. Precision: f32.
 
 #if defined(WIDE_RANGE)
 #include "shape/sphere-wide.glsl"

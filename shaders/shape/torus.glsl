@@ -18,7 +18,7 @@
 // do without one. A cheaper form that keeps the limits is not known.
 // Measured with the ground truth: 99 % within 8 times what one rounding of the input may change, and all within 10, by that one
 // of two software renderers that is worse; and what rays that graze meet is within 3 roundings of the torus's reach of it.
-// There are no loops, for what `direct.glsl` says of them.
+// Precision: f32. There are no loops, for what `direct.glsl` says of them.
 
 #include "shape/torus-quartic.glsl"
 #ifdef TORUS_CHECKER

@@ -1,4 +1,4 @@
-// A box: from outside, points of the faces that are seen, all equally likely; from inside, all directions are.
+// A box: from outside, points of the faces that are seen, all equally likely; from inside, all directions are. Precision: f32.
 #include "light/emitter/area.glsl"
 #ifdef INNER_EMITTER
 #include "light/emitter/inside.glsl"

@@ -1,5 +1,5 @@
 // Directions around an axis, all equally likely: in a cone whose half-angle has the cosine 1 - cone, which is packed, or
-// worked out, without cancelling, so that the smallest cones have their right solid angle.
+// worked out, without cancelling, so that the smallest cones have their right solid angle. Precision: f32.
 #include "circle.glsl"
 #include "tangents.glsl"
 

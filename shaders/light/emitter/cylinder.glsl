@@ -1,4 +1,4 @@
-// A cylinder: from outside, points of what is seen of it, all equally likely; from inside, all directions are.
+// A cylinder: from outside, points of what is seen of it, all equally likely; from inside, all directions are. Precision: f32.
 #include "arc-tangent.glsl"
 #include "circle.glsl"
 #include "tangents.glsl"

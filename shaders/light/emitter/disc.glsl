@@ -1,4 +1,4 @@
-// A disc, by area.
+// A disc, by area. Precision: f32.
 #include "circle.glsl"
 #include "tangents.glsl"
 #include "light/emitter/area.glsl"

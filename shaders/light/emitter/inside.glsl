@@ -1,4 +1,4 @@
-// A closed surface around a point, in all directions equally likely.
+// A closed surface around a point, in all directions equally likely. Precision: f32.
 #include "circle.glsl"
 
 const float AROUND_PDF = 0.0795774715;

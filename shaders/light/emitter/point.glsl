@@ -1,4 +1,4 @@
-// Light from a point: intensity over the distance squared, unless it does not fade.
+// Light from a point: intensity over the distance squared, unless it does not fade. Precision: f32.
 #include "light/emitter/placed.glsl"
 
 EmitterSample pointSample(Emitter e, vec3 p, vec2 u, bool own) {

@@ -1,4 +1,5 @@
 // A parallelogram: by solid angle where that is at least `leastAngle` (it never is where it is no rectangle), else by area.
+// Precision: f32.
 #include "circle.glsl"
 #include "light/emitter/area.glsl"
 #include "light/emitter/rectangle.glsl"

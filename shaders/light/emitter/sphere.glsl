@@ -1,6 +1,7 @@
 // A sphere: from outside all directions that meet it are equally likely, from inside all directions are, and from a point on
 // it all other points.
 // Source: P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996.
+// Precision: f32; 1 - cos of the half-angle is taken from its sine.
 #include "light/emitter/cone.glsl"
 #include "light/emitter/placed.glsl"
 #ifdef INNER_EMITTER

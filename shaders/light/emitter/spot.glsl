@@ -1,4 +1,4 @@
-// Light from a point into a cone.
+// Light from a point into a cone. Precision: f32.
 #include "light/emitter/point.glsl"
 #include "light/emitter/profile.glsl"
 

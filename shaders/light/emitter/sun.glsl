@@ -1,4 +1,4 @@
-// The same radiance from all directions of a cone.
+// The same radiance from all directions of a cone. Precision: f32.
 #include "light/emitter/cone.glsl"
 
 EmitterSample sunSample(Emitter e, vec3 p, vec2 u, bool own) {

@@ -1,4 +1,5 @@
 // A triangle, by area: towards the side across from its first corner by the root of u.x, since it widens that way.
+// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems (1990). Precision: f32.
 #include "light/emitter/area.glsl"
 
 EmitterSample triangleSample(Emitter e, vec3 p, vec2 u, bool own) {
