@@ -148,7 +148,8 @@ describe('errors of <ray-scene>', () => {
 
   it('leaves attributes alone that belong to the page or to a framework', async () => {
     const attributes =
-      'id="a" class="b" data-c="d" aria-hidden="true" tabindex="-1" title="e" v-if="f" _ngcontent-g @click="h" x-data';
+      'id="a" class="b" data-c="d" aria-hidden="true" tabindex="-1" title="e" v-if="f" _ngcontent-g @click="h" x-data ' +
+      'itemprop="image" itemscope itemtype="https://schema.org/Product" defer-hydration';
     const element = await sceneWith(`<ray-sphere ${attributes} onclick=""></ray-sphere>`, attributes);
     await element.ready;
     expect(quiet.lines).to.deep.equal([]);

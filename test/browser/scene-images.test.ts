@@ -3,6 +3,7 @@ import '@ray-scene/core/parts';
 import { expect, oneEvent } from '@open-wc/testing';
 import { readRadianceImage, SceneError } from '@ray-scene/core';
 import { relativeDifference, renderReference } from '@ray-scene/core/reference';
+import { inPieces } from '../../packages/ray-scene/src/in-pieces.ts';
 import type { RayScene, RaySceneErrorEvent } from '../../packages/ray-scene/src/index.ts';
 import {
   countEvents,
@@ -40,6 +41,29 @@ describe('images of <ray-scene>', () => {
     });
     const off = relativeDifference(element.readRadiance(), reference).filter((value) => !(value <= 1e-3)).length;
     expect(off / (60 * 40), 'share of pixels off by more than 1e-3').to.be.below(0.005);
+  });
+
+  it('are read in pieces, between which the page goes on', async () => {
+    const rows = 20;
+    let read = 0;
+    function* slowly(): Generator<undefined, string> {
+      for (; read < rows; read++) {
+        const end = performance.now() + 2;
+        while (performance.now() < end);
+        yield;
+      }
+      return 'all';
+    }
+    const seen: number[] = [];
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      seen.push(read);
+      port2.postMessage(undefined);
+    };
+    port2.postMessage(undefined);
+    expect(await inPieces(slowly())).to.equal('all');
+    port1.close();
+    expect(seen.some((count) => count > 0 && count < rows)).to.equal(true);
   });
 
   describe('with answers of our own', () => {

@@ -3,7 +3,7 @@ import '@ray-scene/core/parts';
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import type { Vec3 } from '@ray-scene/core';
-import { type EnvironmentImage, imageTable } from '../../packages/core/src/environment-image.ts';
+import { type EnvironmentImage, imageTable, imageTableByRows } from '../../packages/core/src/environment-image.ts';
 import { aroundDirection } from '../../packages/core/src/reference/light/emitter/inside.ts';
 import { emitterPdf, emitterRadiance, sampleEmitter } from '../../packages/core/src/reference/light/emitters.ts';
 import { environmentImage, placeInImage } from '../../packages/core/src/reference/light/environment-image.ts';
@@ -47,6 +47,17 @@ describe('an image of the surroundings', () => {
     assert.ok(Math.abs(at(3.5 / 8, 1.75 / 4) - 21.5) < 1e-9);
     assert.ok(Math.abs(at(1 - 1e-12, 1.5 / 4) - (10 + 49 / 2)) < 1e-6);
     assert.ok(Math.abs(at(1e-12, 1.5 / 4) - (10 + 49 / 2)) < 1e-6);
+  });
+
+  it('has a table that is made row by row, and once', () => {
+    const image = grey(8, 4, (i, j) => i + j);
+    const work = imageTableByRows(image);
+    let pauses = 0;
+    let step = work.next();
+    for (; !step.done; step = work.next()) pauses++;
+    assert.ok(pauses >= 4);
+    assert.equal(imageTable(image), step.value);
+    assert.deepEqual(imageTable(grey(8, 4, (i, j) => i + j)), step.value);
   });
 
   it('turns counterclockwise, seen from above', () => {

@@ -6,14 +6,14 @@
 /** One place for each of the many: a number falls into one of them, and takes it below its threshold, else its alias. */
 export interface AliasTable {
   /** Rounded to f32, so that shader and reference choose alike. */
-  readonly thresholds: readonly number[];
-  readonly aliases: readonly number[];
+  readonly thresholds: Float64Array;
+  readonly aliases: Float64Array;
   /** What comes of the rounded thresholds: of each, how likely it is to be chosen. */
-  readonly probabilities: readonly number[];
+  readonly probabilities: Float64Array;
 }
 
 /** A table that chooses in proportion to the weights. What has no weight is never chosen. */
-export function aliasTable(weights: readonly number[]): AliasTable {
+export function aliasTable(weights: Float64Array): AliasTable {
   const count = weights.length;
   const largest = weights.reduce((best, weight, i) => (weight > (weights[best] as number) ? i : best), 0);
   // Over the largest first: the sum stays a number.
@@ -25,8 +25,8 @@ export function aliasTable(weights: readonly number[]): AliasTable {
   left.forEach((weight, i) => {
     (weight < 1 ? small : large).push(i);
   });
-  const thresholds = relative.map(() => 1);
-  const aliases = relative.map((_, i) => i);
+  const thresholds = new Float64Array(count).fill(1);
+  const aliases = thresholds.map((_, i) => i);
   while (small.length > 0 && large.length > 0) {
     const [poor, rich] = [small.pop() as number, large.pop() as number];
     thresholds[poor] = Math.fround(left[poor] as number);
@@ -35,15 +35,16 @@ export function aliasTable(weights: readonly number[]): AliasTable {
     ((left[rich] as number) < 1 ? small : large).push(rich);
   }
   // What rounding left over has about 1; without weight it is not to be chosen even so.
-  for (const i of small.filter((one) => relative[one] === 0)) {
+  for (const i of small) {
+    if (relative[i] !== 0) continue;
     thresholds[i] = 0;
     aliases[i] = largest;
   }
   return { thresholds, aliases, probabilities: probabilitiesOf(thresholds, aliases) };
 }
 
-function probabilitiesOf(thresholds: readonly number[], aliases: readonly number[]): readonly number[] {
-  const sums = [...thresholds];
+function probabilitiesOf(thresholds: Float64Array, aliases: Float64Array): Float64Array {
+  const sums = thresholds.slice();
   aliases.forEach((alias, i) => {
     sums[alias] = (sums[alias] as number) + (1 - (thresholds[i] as number));
   });
@@ -57,7 +58,8 @@ const LEAST_SHARE = 2 ** -12;
 export function emitterTable(emitters: readonly { readonly power: number }[]): AliasTable {
   const most = Math.min(Math.max(0, ...emitters.map(({ power }) => power)), Number.MAX_VALUE);
   const least = LEAST_SHARE * most;
-  return aliasTable(emitters.map(({ power }) => (power > 0 ? Math.min(Math.max(power, least), Number.MAX_VALUE) : 0)));
+  const weightOf = (power: number): number => (power > 0 ? Math.min(Math.max(power, least), Number.MAX_VALUE) : 0);
+  return aliasTable(Float64Array.from(emitters, ({ power }) => weightOf(power)));
 }
 
 /** Which one a random number from [0, 1) chooses. */

@@ -5,6 +5,7 @@
  * right edge too.
  */
 import { aliasTable } from './emitter-table.ts';
+import { type RowByRow, toEnd } from './row-by-row.ts';
 
 export interface EnvironmentImage {
   readonly width: number;
@@ -28,43 +29,44 @@ export interface ImageTable {
 const tables = new WeakMap<EnvironmentImage, ImageTable>();
 
 /** The table of an image, which is made once. */
-export function imageTable(image: EnvironmentImage): ImageTable {
-  const known = tables.get(image) ?? makeTable(image);
+export const imageTable = (image: EnvironmentImage): ImageTable => toEnd(imageTableByRows(image));
+
+/** The same row by row. Afterwards `imageTable` has it at once. */
+export function* imageTableByRows(image: EnvironmentImage): RowByRow<ImageTable> {
+  const known = tables.get(image) ?? (yield* makeTable(image));
   tables.set(image, known);
   return known;
 }
 
-function makeTable(image: EnvironmentImage): ImageTable {
+function* makeTable(image: EnvironmentImage): RowByRow<ImageTable> {
   const { width, height } = image;
-  const weights = texelWeights(image);
-  const rowSums = Array.from({ length: height }, (_, j) =>
+  const weights = yield* texelWeights(image);
+  const rowSums = Float64Array.from({ length: height }, (_, j) =>
     weights.subarray(j * width, (j + 1) * width).reduce((sum, weight) => sum + weight, 0),
   );
   const rows = aliasTable(rowSums);
   const texels = new Float32Array(4 * width * height);
   const choices = new Float32Array(2 * (width + 1) * height);
   for (let j = 0; j < height; j++) {
-    const columns = aliasTable([...weights.subarray(j * width, (j + 1) * width)]);
+    const columns = aliasTable(weights.subarray(j * width, (j + 1) * width));
     const start = 2 * (width + 1) * j;
     for (let i = 0; i < width; i++) {
       const at = j * width + i;
-      texels.set(colorAt(image, at), 4 * at);
+      for (let channel = 0; channel < 3; channel++) texels[4 * at + channel] = lightAt(image, 3 * at + channel);
       texels[4 * at + 3] = (columns.probabilities[i] as number) * (rows.probabilities[j] as number) * width * height;
       choices[start + 2 * i] = columns.thresholds[i] as number;
       choices[start + 2 * i + 1] = columns.aliases[i] as number;
     }
     choices[start + 2 * width] = rows.thresholds[j] as number;
     choices[start + 2 * width + 1] = rows.aliases[j] as number;
+    yield;
   }
   const total = rowSums.reduce((sum, weight) => sum + weight, 0);
   return { width, height, texels, choices, irradiance: (2 * Math.PI * total) / width };
 }
 
 /** Light that is no number is none. */
-const colorAt = ({ data }: EnvironmentImage, texel: number): readonly [number, number, number] => {
-  const channel = (i: number): number => Math.min(Math.max(data[3 * texel + i] || 0, 0), LARGEST);
-  return [channel(0), channel(1), channel(2)];
-};
+const lightAt = ({ data }: EnvironmentImage, i: number): number => Math.min(Math.max(data[i] || 0, 0), LARGEST);
 
 /** As much as a shader takes. */
 const LARGEST = 1e30;
@@ -73,20 +75,30 @@ const LARGEST = 1e30;
  * The mean of the channels over the square of each texel, times the solid angle of its row over 2π. It is the exact mean
  * of what is linear between centres (⅛, ¾, ⅛ of the texels beside each other), so no square with light has no weight.
  */
-function texelWeights(image: EnvironmentImage): Float64Array {
+function* texelWeights(image: EnvironmentImage): RowByRow<Float64Array> {
   const { width, height } = image;
-  const means = Float64Array.from({ length: width * height }, (_, i) => {
-    const [r, g, b] = colorAt(image, i);
-    return (r + g + b) / 3;
-  });
-  const blur = (at: (step: number) => number): number => (at(-1) + 6 * at(0) + at(1)) / 8;
-  const across = means.map((_, texel) => {
-    const [i, start] = [texel % width, texel - (texel % width)];
-    return blur((step) => means[start + ((i + step + width) % width)] as number);
-  });
-  return across.map((_, texel) => {
-    const [i, j] = [texel % width, Math.floor(texel / width)];
-    const mean = blur((step) => across[Math.min(Math.max(j + step, 0), height - 1) * width + i] as number);
-    return 2 * mean * Math.sin((Math.PI * (j + 0.5)) / height) * Math.sin(Math.PI / (2 * height));
-  });
+  const across = new Float64Array(width * height);
+  const means = new Float64Array(width);
+  for (let j = 0; j < height; j++) {
+    for (let i = 0; i < width; i++) {
+      const at = 3 * (j * width + i);
+      means[i] = (lightAt(image, at) + lightAt(image, at + 1) + lightAt(image, at + 2)) / 3;
+    }
+    for (let i = 0; i < width; i++) across[j * width + i] = blurred(means, (i + width - 1) % width, i, (i + 1) % width);
+    yield;
+  }
+  const weights = new Float64Array(width * height);
+  for (let j = 0; j < height; j++) {
+    const [above, below] = [Math.max(j - 1, 0) * width, Math.min(j + 1, height - 1) * width];
+    const share = [Math.sin((Math.PI * (j + 0.5)) / height), Math.sin(Math.PI / (2 * height))] as const;
+    for (let i = 0; i < width; i++) {
+      const at = j * width + i;
+      weights[at] = 2 * blurred(across, above + i, at, below + i) * share[0] * share[1];
+    }
+    yield;
+  }
+  return weights;
 }
+
+const blurred = (values: Float64Array, before: number, at: number, after: number): number =>
+  ((values[before] as number) + 6 * (values[at] as number) + (values[after] as number)) / 8;

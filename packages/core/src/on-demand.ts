@@ -9,7 +9,7 @@ export {
   type ResolvedCamera,
   rayDirection,
 } from './camera-frame.ts';
-export { type EnvironmentImage, imageTable } from './environment-image.ts';
+export { type EnvironmentImage, imageTable, imageTableByRows } from './environment-image.ts';
 export { type Feature, features } from './features.ts';
 export { type Field, type Fields, type Limits, Mismatch, type Values } from './fields.ts';
 export type { Frame } from './frame.ts';
@@ -24,11 +24,12 @@ export { nearestWord } from './nearest-word.ts';
 export { packingFrame, packScene, packView } from './pack-scene.ts';
 export { parseScene, type SourceWords } from './parse-scene.ts';
 export { primitives, type ShapeKind, shapeKinds } from './primitives/index.ts';
-export { readRadianceImage } from './radiance-image.ts';
+export { radianceImageByRows, readRadianceImage } from './radiance-image.ts';
 export { pixelSample } from './random.ts';
 export { type Intersection, intersect } from './reference/intersect.ts';
 export { mergeRequirements, type Requirements, requirements, requirementsKey } from './requirements.ts';
 export { type EnvironmentImages, type ResolvedScene, resolveScene } from './resolve-scene.ts';
+export type { RowByRow } from './row-by-row.ts';
 export { meantWord, say } from './say.ts';
 export { jsonPath, type Locate, type Problem, SceneError } from './scene-error.ts';
 export { isSurfaceOutput } from './scene-needs.ts';

@@ -3,6 +3,7 @@
  * Source: G. Ward, "Real Pixels", Graphics Gems II, 1991; "Radiance File Formats" and color.c of Radiance.
  */
 import type { EnvironmentImage } from './environment-image.ts';
+import { type RowByRow, toEnd } from './row-by-row.ts';
 
 /** More would take gigabytes before anything is seen: 8192 × 4096. */
 export const MOST_PIXELS = 2 ** 25;
@@ -23,7 +24,10 @@ interface Header {
  * The radiance in an image: linear RGB as it stands there, over the exposure that its header tells.
  * @throws {Error} when it is none, or one that is not read here.
  */
-export function readRadianceImage(bytes: Uint8Array): EnvironmentImage {
+export const readRadianceImage = (bytes: Uint8Array): EnvironmentImage => toEnd(radianceImageByRows(bytes));
+
+/** The same row by row. */
+export function* radianceImageByRows(bytes: Uint8Array): RowByRow<EnvironmentImage> {
   const header = readHeader(bytes);
   const { width, height, exposure } = header;
   const steps = Float64Array.from({ length: 256 }, (_, exponent) => stepOf(exponent) / exposure);
@@ -40,6 +44,7 @@ export function readRadianceImage(bytes: Uint8Array): EnvironmentImage {
       for (let channel = 0; channel < 3; channel++)
         data[to + channel] = ((row[4 * i + channel] as number) + 0.5) * step;
     }
+    yield;
   }
   return { width, height, data };
 }

@@ -4,12 +4,13 @@ import {
   jsonPath,
   type Locate,
   type Problem,
-  readRadianceImage,
+  radianceImageByRows,
   type Scene,
   type SceneNode,
 } from '@ray-scene/core';
 import { decodeImage } from './decode-image.ts';
 import { Download } from './download.ts';
+import { inPieces } from './in-pieces.ts';
 import { absolute, type ImageBase, type Reading } from './reading.ts';
 
 /** What a field takes. */
@@ -22,7 +23,12 @@ interface ImageKind {
 const SURROUNDINGS: ImageKind = {
   field: 'src',
   what: 'a Radiance .hdr image',
-  read: async (answer) => readRadianceImage(new Uint8Array(await answer.arrayBuffer())),
+  read: async (answer) => {
+    const image = await inPieces(radianceImageByRows(new Uint8Array(await answer.arrayBuffer())));
+    // What takes longest is in store then, before the scene asks for it. It comes with what the scene needs next.
+    await inPieces((await import('./scene-textures.ts')).imageTableByRows(image));
+    return image;
+  },
 };
 
 const MAP: ImageKind = {

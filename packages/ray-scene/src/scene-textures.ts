@@ -3,6 +3,8 @@ import { type EnvironmentImage, IMAGE_ROW, imageAtlas, imageTable, type Resolved
 import { FloatTarget } from './float-target.ts';
 import type { Program } from './program.ts';
 
+export { imageTableByRows } from '@ray-scene/core';
+
 export class SceneTextures {
   /** Those of a scene: the present ones, if they hold its images. Others are freed. */
   static of(
