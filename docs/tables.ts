@@ -6,6 +6,7 @@ import {
   type Fields,
   group,
   lights,
+  type Mismatch,
   material,
   type NodeTable,
   objectFields,
@@ -22,7 +23,7 @@ function range({ min, above, max }: AnyField['limits']): string {
   return max === undefined ? ` of at least ${min}` : ` from ${min} to ${max}`;
 }
 
-function valuesOf({ kind, limits }: AnyField): string {
+function valuesOf({ kind, limits, read }: AnyField): string {
   switch (kind) {
     case 'number':
       return `${limits.integer ? 'whole number' : 'number'}${range(limits)}`;
@@ -35,13 +36,14 @@ function valuesOf({ kind, limits }: AnyField): string {
     case 'choice':
       return (limits.choices ?? []).map((word) => `\`${word}\``).join(', ');
     default:
-      return kind;
+      // A name or an address, as whoever leaves it empty is told.
+      return /\w+$/.exec((read('') as Mismatch).allowed())?.[0] ?? kind;
   }
 }
 
 function defaultOf({ kind, default: value }: AnyField): string {
   if (value === undefined) return '';
-  if (kind === 'color') return String(value) === '1,1,1' ? 'white' : `[${value}]`;
+  if (kind === 'color') return String(value) === '1,1,1' ? 'white' : 'black';
   return Array.isArray(value) ? value.join(' ') : String(value);
 }
 

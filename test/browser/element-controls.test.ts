@@ -164,6 +164,27 @@ describe('auto-rotate', () => {
     expect(cameraOf(element).position).to.deep.equal(position);
   });
 
+  it('holds nothing of a page that it left before the code for it was there', async () => {
+    const element = await sceneWith('<ray-sphere></ray-sphere>');
+    const original = EventTarget.prototype.addEventListener;
+    let held = 0;
+    EventTarget.prototype.addEventListener = function (...args: Parameters<typeof original>) {
+      if (this instanceof MediaQueryList && this.media.includes('reduced-motion')) held++;
+      original.apply(this, args);
+    };
+    try {
+      element.addController({ hostUpdated: () => element.remove() });
+      element.autoRotate = true;
+      await until(() => element.renderRoot.querySelector('#keys'));
+      expect(held).to.equal(0);
+      document.body.append(element);
+      expect(held).to.equal(1);
+    } finally {
+      EventTarget.prototype.addEventListener = original;
+      element.remove();
+    }
+  });
+
   it('stands still for who wants no motion', async () => {
     window.matchMedia = (query) =>
       query.includes('prefers-reduced-motion')

@@ -23,37 +23,42 @@ interface Branch {
   taken: boolean;
 }
 
+/** Whether `defined(A) && !defined(B) || defined(C)` holds, with && before || and no parentheses. */
+const holds = (condition: string, defined: ReadonlySet<string>): boolean =>
+  condition.split('||').some((all) =>
+    all.split('&&').every((term) => {
+      const [, not, name = ''] = /^\s*(!?)\s*defined\s*\(\s*(\w+)\s*\)\s*$/.exec(term) ?? [];
+      if (!name) throw new Error(term);
+      return defined.has(name) === !not;
+    }),
+  );
+
+/** Handles the directives of conditions; returns false for any other. */
+function isCondition(
+  directive: string | undefined,
+  rest: string,
+  branches: Branch[],
+  defined: ReadonlySet<string>,
+): boolean {
+  if (directive === 'if' || directive === 'ifdef' || directive === 'ifndef') {
+    const active = holds(directive === 'if' ? rest : `${directive === 'ifndef' ? '!' : ''}defined(${rest})`, defined);
+    branches.push({ active, taken: active });
+    return true;
+  }
+  if (directive !== 'elif' && directive !== 'else' && directive !== 'endif') return false;
+  const branch = branches.at(-1);
+  if (!branch) throw new Error(directive);
+  if (directive === 'endif') branches.pop();
+  else branch.active = !branch.taken && (directive === 'else' || holds(rest, defined));
+  branch.taken ||= branch.active;
+  return true;
+}
+
 /** @throws {Error} naming the file, for one that is missing, and the line, for a condition that is off. */
 export function assembleGlsl(root: string, { files, defined }: GlslSources): AssembledGlsl {
   const text: string[] = [];
   const lines: { file: string; line: number }[] = [];
   const included = new Set<string>();
-
-  /** `defined(A) && !defined(B) || defined(C)`, with && before || and no parentheses. */
-  const holds = (condition: string): boolean =>
-    condition.split('||').some((all) =>
-      all.split('&&').every((term) => {
-        const [, not, name = ''] = /^\s*(!?)\s*defined\s*\(\s*(\w+)\s*\)\s*$/.exec(term) ?? [];
-        if (!name) throw new Error(term);
-        return defined.has(name) === !not;
-      }),
-    );
-
-  /** Handles the directives of conditions; returns false for any other. */
-  const isCondition = (directive: string | undefined, rest: string, branches: Branch[]): boolean => {
-    if (directive === 'if' || directive === 'ifdef' || directive === 'ifndef') {
-      const active = holds(directive === 'if' ? rest : `${directive === 'ifndef' ? '!' : ''}defined(${rest})`);
-      branches.push({ active, taken: active });
-      return true;
-    }
-    if (directive !== 'elif' && directive !== 'else' && directive !== 'endif') return false;
-    const branch = branches.at(-1);
-    if (!branch) throw new Error(directive);
-    if (directive === 'endif') branches.pop();
-    else branch.active = !branch.taken && (directive === 'else' || holds(rest));
-    branch.taken ||= branch.active;
-    return true;
-  };
 
   const include = (file: string, from: readonly string[]): void => {
     const trail = [...from, file];
@@ -66,7 +71,7 @@ export function assembleGlsl(root: string, { files, defined }: GlslSources): Ass
       const line = whole.replace(/\/\/.*/, '').trimEnd();
       const [, directive, rest = ''] = /^\s*#\s*(\w+)\s*(.*)$/.exec(line) ?? [];
       try {
-        if (isCondition(directive, rest, branches)) continue;
+        if (isCondition(directive, rest, branches, defined)) continue;
       } catch (error) {
         throw new Error(`${file}:${i + 1}: a condition that is off: ${(error as Error).message}`);
       }

@@ -55,7 +55,8 @@ export class CameraControls {
     this.#set = set;
     for (const type of LISTENED) canvas.addEventListener(type, this);
     this.#changed = changed;
-    this.hold();
+    // It may have left the page while this was loaded.
+    if (canvas.isConnected) this.hold();
     canvas.after(keysText());
   }
 
