@@ -7,6 +7,7 @@ import { beating, type Choice, frontOf, sceneChoices } from '../bench/trade/fron
 import { BASE } from '../bench/trade/knobs.ts';
 import type { Measured } from '../bench/trade/measure.ts';
 import { plotTrade } from '../bench/trade/plots.ts';
+import { bounceFromBase, galleryBounces, sceneSection } from '../bench/trade/scene-section.ts';
 import { average, biasOf, noiseOf, psnr, Spread, yardstickOf } from '../bench/trade/statistics.ts';
 import { normalRandom } from './normal-random.ts';
 
@@ -120,6 +121,26 @@ const choice = (milliseconds: number, error: number): Choice => ({
   measured: true,
 });
 
+const measured = (known: Partial<Measured>): Measured => ({
+  name: '',
+  knob: 'none',
+  setting: BASE,
+  shaderChars: 1,
+  compileMs: 1,
+  firstFrameMs: 1,
+  timeRatios: [1],
+  msPerSample: 1,
+  msSpread: 0,
+  msPerFrame: 1,
+  msPerFrameSpread: 0,
+  seeds: 2,
+  points: [{ samples: 16, noise: 0, noiseOfAll: 0, rareShare: 0, psnr: 1, flip: 0 }],
+  squaredBias: (known.bias ?? 0) ** 2,
+  bias: 0,
+  biasAtMost: 0,
+  ...known,
+});
+
 describe('the tail of errors', () => {
   /** Pictures of a grey, each number off by what `errorOf` makes of a random one between 0 and 1. */
   function pictures(errorOf: (u: number) => number): { readonly all: Float32Array[]; readonly spread: Spread } {
@@ -167,25 +188,8 @@ describe('the front', () => {
   });
 
   it('adds noise and bias, and knows samples that were not drawn by the root of how many more they are', () => {
-    const measured: Measured = {
-      name: '',
-      knob: 'none',
-      setting: BASE,
-      shaderChars: 1,
-      compileMs: 1,
-      firstFrameMs: 1,
-      timeRatios: [1],
-      msPerSample: 2,
-      msSpread: 0,
-      msPerFrame: 1,
-      msPerFrameSpread: 0,
-      seeds: 2,
-      points: [{ samples: 4096, noise: 0.04, noiseOfAll: 1, rareShare: 0, psnr: 1, flip: 0 }],
-      squaredBias: 0.0009,
-      bias: 0.03,
-      biasAtMost: 0.03,
-    };
-    const found = sceneChoices({ settings: [measured] });
+    const point = { samples: 4096, noise: 0.04, noiseOfAll: 1, rareShare: 0, psnr: 1, flip: 0 };
+    const found = sceneChoices({ settings: [measured({ msPerSample: 2, points: [point], bias: 0.03 })] });
     assert.deepEqual(
       found.map(({ samples, milliseconds, error, measured: drawn }) => [samples, milliseconds, error, drawn]),
       [
@@ -199,6 +203,33 @@ describe('the front', () => {
     const svg = plotTrade(choices);
     assert.match(svg, /^<svg [^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
     assert.ok(!/NaN|undefined/.test(svg));
+  });
+});
+
+describe('the report', () => {
+  const settings = [
+    measured({ setting: { ...BASE, bounces: 6 }, timeRatios: [1, 1, 1, 1, 1], bias: 0.004, biasAtMost: 0.005 }),
+    measured({ knob: 'integrator', setting: { ...BASE, integrator: 'direct' }, bias: 0.5, biasAtMost: 0.5 }),
+    measured({ knob: 'bounces', setting: { ...BASE, bounces: 5 }, timeRatios: [0.5, 0.8, 0.8, 0.8, 2], bias: 0.02 }),
+    measured({
+      knob: 'bounces',
+      setting: { ...BASE, bounces: 7 },
+      timeRatios: [1, 1.1, 1.2, 1.3, 1.4],
+      biasAtMost: 0.003,
+    }),
+  ];
+  const trade = { one: { converged: { samples: 16, runs: 8, noise: 0.1 }, settings } };
+
+  it('compares the times of one number of bounces and the next round by round', () => {
+    const text = sceneSection('one', trade.one, 'one.svg');
+    assert.match(text, /\| 5 → 6 \| \+25 % ± 0 % \| 2\.0 % → 0\.4 % \|/);
+    assert.match(text, /\| 6 → 7 \| \+20 % ± 10 % \| 0\.4 % → ≤ 0\.3 % \|/);
+    assert.ok(!/NaN|undefined/.test(text));
+  });
+
+  it('tells in a sentence what one more bounce changes', () => {
+    assert.match(bounceFromBase(trade), /the 6\s.*by \+20 %, and the bias from 0\.4 % to < 0\.01 %/s);
+    assert.deepEqual(galleryBounces(trade)[0], ['5 → 6', '+25 %', '2.0 % → 0.4 %', '0.4 % (one)']);
   });
 });
 

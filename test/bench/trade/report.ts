@@ -4,7 +4,7 @@ import { biasOf, chanceOf, type Governed, stoppingOf } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
 import type { SceneTrade, Trade } from './measure.ts';
 import { isForPages, PROMISED, type Preset } from './presets.ts';
-import { galleryBounces, sceneSection } from './scene-section.ts';
+import { bounceFromBase, galleryBounces, sceneSection } from './scene-section.ts';
 import type { TradeNumbers } from './trade.ts';
 import { ms, percent, table } from './words.ts';
 
@@ -103,9 +103,9 @@ ${table(['quality', 'integrator', 'bounces', 'samples', '`max-error`', 'ms', 'er
 
 ### What does one more bounce cost and buy?
 
-By \`path\`: the medians of ${Object.keys(trade).length} scenes, and the bias of the scene where it is largest.
+By \`path\`: the medians of ${Object.keys(trade).length} scenes, and where the bias is largest. ${bounceFromBase(trade)}
 
-${table(['bounces', 'time', 'bias', 'at most'], galleryBounces(trade))}
+${table(['bounces', 'time', 'bias', 'the largest'], galleryBounces(trade))}
 
 ### The front
 

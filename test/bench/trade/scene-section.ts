@@ -1,4 +1,5 @@
 /** What each setting costs and buys in a scene, and what each further bounce does, as text. */
+import { BASE } from './knobs.ts';
 import type { Measured, SceneTrade, Trade } from './measure.ts';
 import { typical } from './statistics.ts';
 import { ms, percent, signed, table } from './words.ts';
@@ -92,23 +93,47 @@ All settings:
 `;
 }
 
-/** The same of all scenes. */
-export function galleryBounces(trade: Trade): readonly (readonly string[])[] {
+interface Step {
+  readonly name: string;
+  readonly before: Measured;
+  readonly next: Measured;
+}
+
+/** From one number of bounces to the next, of all scenes. */
+function stepsOf(trade: Trade): readonly (readonly Step[])[] {
   const scenes = Object.entries(trade).map(([name, { settings }]) => ({ name, steps: bouncesOf(settings) }));
-  const count = scenes[0]?.steps.length ?? 0;
-  return Array.from({ length: Math.max(count - 1, 0) }, (_, i) => {
-    const pairs = scenes.map(({ name, steps }) => ({
-      name,
-      before: steps[i] as Measured,
-      next: steps[i + 1] as Measured,
-    }));
-    const middle = (of: (pair: (typeof pairs)[number]) => number): number => typical(pairs.map(of)).median;
-    const worst = pairs.reduce((one, other) => (other.next.bias > one.next.bias ? other : one));
-    return [
-      `${worst.before.setting.bounces} → ${worst.next.setting.bounces}`,
-      signed(middle(({ next, before }) => moreTime(next, before).median)),
-      `${percent(middle(({ before }) => before.bias))} → ${percent(middle(({ next }) => next.bias))}`,
-      `${percent(worst.next.bias)} (${worst.name})`,
-    ];
+  const [first] = scenes;
+  return (first?.steps ?? [])
+    .slice(1)
+    .map((_, i) =>
+      scenes.map(({ name, steps }) => ({ name, before: steps[i] as Measured, next: steps[i + 1] as Measured })),
+    );
+}
+
+/** Medians. */
+function middleOf(steps: readonly Step[]) {
+  const middle = (of: (step: Step) => number): number => typical(steps.map(of)).median;
+  return {
+    from: steps[0]?.before.setting.bounces as number,
+    to: steps[0]?.next.setting.bounces as number,
+    time: signed(middle(({ next, before }) => moreTime(next, before).median)),
+    bias: [percent(middle(({ before }) => before.bias)), percent(middle(({ next }) => next.bias))] as const,
+  };
+}
+
+export const galleryBounces = (trade: Trade): readonly (readonly string[])[] =>
+  stepsOf(trade).map((steps) => {
+    const { from, to, time, bias } = middleOf(steps);
+    const worst = steps.reduce((one, other) => (other.next.bias > one.next.bias ? other : one));
+    return [`${from} → ${to}`, time, bias.join(' → '), `${percent(worst.next.bias)} (${worst.name})`];
   });
+
+/** One bounce more than where the knobs are turned from. */
+export function bounceFromBase(trade: Trade): string {
+  const step = stepsOf(trade)
+    .map(middleOf)
+    .find(({ from, to }) => from === BASE.bounces && to === from + 1);
+  if (!step) return '';
+  return `One more than the ${step.from}
+that pages have by default changes the time of a sample by ${step.time}, and the bias from ${step.bias[0]} to ${step.bias[1]}.`;
 }
