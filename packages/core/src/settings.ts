@@ -59,7 +59,7 @@ export const qualities: { readonly [Q in RenderSettings['quality']]: Partial<Ren
   draft: { integrator: 'direct', bounces: 4, samples: 4 },
   balanced: {},
   accurate: { samples: 1024, maxError: 0.01 },
-  reference: { bounces: 16, samples: 16_384, maxError: 0.002 },
+  reference: { bounces: 16, samples: 4096, maxError: 0.002 },
 };
 
 /** The settings with the defaults of a quality, by its name. */
