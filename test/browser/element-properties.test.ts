@@ -112,7 +112,7 @@ describe('properties of <ray-scene>', () => {
     expect(element.settings).to.include({ quality: 'balanced', samples: 256 });
     expect(element.settings).to.not.have.property('maxError');
     element.quality = 'accurate';
-    expect(element.settings).to.include({ samples: 1024, maxError: 0.01, bounces: 6 });
+    expect(element.settings).to.include({ samples: 1024, maxError: 0.01, bounces: 16 });
     element.maxError = 0.05;
     expect(element.settings).to.include({ samples: 1024, maxError: 0.05 });
     element.setAttribute('quality', 'draft');

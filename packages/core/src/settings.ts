@@ -58,7 +58,7 @@ export type RenderSettings = Values<typeof settingsFields>;
 export const qualities: { readonly [Q in RenderSettings['quality']]: Partial<RenderSettings> } = {
   draft: { integrator: 'direct', bounces: 4, samples: 4 },
   balanced: {},
-  accurate: { samples: 1024, maxError: 0.01 },
+  accurate: { bounces: 16, samples: 1024, maxError: 0.01 },
   reference: { bounces: 16, samples: 4096, maxError: 0.002 },
 };
 

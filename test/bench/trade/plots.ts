@@ -17,11 +17,20 @@ const groupOf = ({ setting: { integrator, scale } }: Choice): string => (scale <
 
 const markOf = (choice: Choice): Mark => ({ ...choice, group: groupOf(choice), percent: 100 * choice.error });
 
-/** One line for each setting, a dot for each number of samples; the front is drawn over them. */
+/** Those far enough from the one before for a label each. */
+function labelled(front: readonly Mark[]): readonly Mark[] {
+  const kept: Mark[] = [];
+  for (const mark of front) {
+    const last = kept.at(-1);
+    if (!last || mark.error < last.error / 1.18) kept.push(mark);
+  }
+  return kept;
+}
+
+/** One line for each setting, a dot for each number of samples, a ring where none were drawn; the front is over them. */
 export function plotTrade(choices: readonly Choice[], presets: readonly Preset[] = []): string {
-  const measured = choices.filter((choice) => choice.measured);
-  const marks = measured.map(markOf);
-  const front = frontOf(measured).map(markOf);
+  const marks = choices.map(markOf);
+  const front = frontOf(choices).map(markOf);
   const standing = presets.flatMap(({ quality, standing: choice }) => (choice ? [{ ...markOf(choice), quality }] : []));
   const { document } = parseHTML('<html></html>');
   const place = { x: 'milliseconds', y: 'percent' } as const;
@@ -35,17 +44,22 @@ export function plotTrade(choices: readonly Choice[], presets: readonly Preset[]
     style: { background: 'white', color: 'black' },
     x: { type: 'log', label: 'ms for a picture of 96 × 64 →' },
     y: { type: 'log', label: '↑ error, % (noise and bias together)', tickFormat: '~r' },
-    color: { domain: ['path', 'direct', 'fewer pixels'], range: ['#1f77b4', '#d95f02', '#999999'], legend: false },
+    color: {
+      domain: ['path', 'direct', 'fewer pixels', 'not drawn'],
+      range: ['#1f77b4', '#d95f02', '#999999', 'white'],
+      legend: false,
+    },
     marks: [
       Plot.line(marks, { ...place, z: 'name', stroke: 'group', strokeOpacity: 0.35 }),
       Plot.dot(marks, {
         ...place,
-        fill: 'group',
+        stroke: 'group',
+        fill: (mark: Mark) => (mark.measured ? mark.group : 'not drawn'),
         r: 2.5,
         title: (mark: Mark) => `${mark.name}, ${mark.samples} samples`,
       }),
       Plot.line(front, { ...place, stroke: 'black', strokeWidth: 2, curve: 'step-after' }),
-      Plot.text(front, {
+      Plot.text(labelled(front), {
         ...place,
         text: (mark: Mark) => `${mark.name}, ${mark.samples}`,
         dy: 8,

@@ -61,8 +61,8 @@ The words:
   first setting, for pictures of 96 × 64; they grow in proportion to the number of pixels.
 - PSNR and FLIP compare one picture, as it is shown without a tone curve, with the converged one. FLIP (Andersson et al. 2020)
   is 0 for alike, 1 for as different as can be; it is that of pictures seen at 67 pixels per degree.
-- The **front** is the settings that nothing beats in time and error both. A **\\*** marks samples that were not drawn: their
-  noise is that of the most that were, over the root of how many times more they are.
+- The **front** is the settings that nothing beats in time and error both. A **\\*** marks samples that were not drawn in all
+  scenes, and a ring in the plots: their noise is that of the most that were, over the root of how many times more they are.
 - Knobs are turned one at a time from where \`balanced\` stands: path, 6 bounces, roulette from the 4th surface on, all
   pixels, float targets, lights chosen by what they may contribute. Roulette and the choice of lights are not for pages to choose,
   nor is the target. A frame is one sample, shown.`;
