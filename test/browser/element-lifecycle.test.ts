@@ -89,6 +89,24 @@ describe('life of <ray-scene>', () => {
     expect(element.stats).to.include({ width: 60, height: 60 });
   });
 
+  it('is as wide as its place, and 300 pixels where that has no width of its own', async () => {
+    const element = document.createElement('ray-scene');
+    const place = await fixture<HTMLElement>('<div></div>');
+    place.append(element);
+    await element.updateComplete;
+    const sizeIn = (style: string): readonly [number, number] => {
+      place.style.cssText = style;
+      const { width, height } = element.getBoundingClientRect();
+      expect(place.scrollWidth).to.be.at.most(Math.ceil(place.clientWidth));
+      return [width, height];
+    };
+    expect(sizeIn('width: 600px')).to.deep.equal([600, 400]);
+    expect(sizeIn('width: 90px')).to.deep.equal([90, 60]);
+    expect(sizeIn('display: flex; width: 600px')[0]).to.equal(300);
+    expect(sizeIn('display: flex; width: 90px')[0]).to.equal(90);
+    expect(sizeIn('display: inline-block')).to.deep.equal([300, 200]);
+  });
+
   it('lets go of the GPU when it leaves the page, and works on where it is put', async () => {
     const element = await sceneWith(BALL, 'samples="1000000"');
     const [there, here] = [document.createElement('div'), element.parentElement];

@@ -156,6 +156,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     return this.#progress.complete.promise;
   }
 
+  /** What the picture is made of so far, and what it cost; undefined before there is one. */
   get stats(): RenderStats | undefined {
     return this.#picture?.stats;
   }

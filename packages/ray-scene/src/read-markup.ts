@@ -42,7 +42,7 @@ function place(scene: Element, element: Element): string {
 
 /** What every element may have, and what frameworks leave on any element, as Vue's `v-…` and Alpine's `@…`. */
 const ANYWHERE =
-  /^(?:id|class|style|slot|part|exportparts|title|lang|dir|hidden|inert|tabindex|role|is|item[a-z]+|nonce|draggable|translate|popover|autofocus|accesskey|contenteditable|spellcheck|xmlns|defer-hydration|[^a-z].*|[a-z]{1,2}[-:].*|(?:aria|data)-.*|on.*)$/;
+  /^(?:id|class|style|slot|part|exportparts|title|lang|dir|hidden|inert|tabindex|role|is|item[a-z]+|nonce|draggable|translate|popover|autofocus|accesskey|contenteditable|spellcheck|xmlns|[^a-z].*|[a-z]{1,2}[-:].*|(?:aria|data|defer)-.*|on.*)$/;
 
 /** The attributes of an element that mean nothing on it. */
 export const unknownAttributes = (element: Element, known: readonly string[]): string[] =>

@@ -12,6 +12,12 @@ export const styles = `
     position: relative;
     aspect-ratio: 3 / 2;
   }
+  /* As wide as a picture is by default where nothing else says how wide it is, as in a row of a flexbox. */
+  :host::before {
+    content: '';
+    display: grid;
+    grid-template-columns: minmax(0, 300px);
+  }
   :host([hidden]),
   [hidden] {
     display: none !important;
