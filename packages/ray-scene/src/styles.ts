@@ -16,7 +16,7 @@ export const styles = `
   :host::before {
     content: '';
     display: grid;
-    grid-template-columns: minmax(0, 300px);
+    grid: auto / minmax(0, 300px);
   }
   :host([hidden]),
   [hidden] {
