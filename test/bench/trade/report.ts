@@ -153,8 +153,8 @@ x has a probability in proportion to x^-α, α must be above 2. It is estimated 
 pixels of all pictures with the most samples. Where it is 2 or less, pictures in which a rare path has not been met cannot know
 of it: they say less than there is until it is met.
 
-Pictures by \`direct\`, and edges in all of them, have their samples in the same places of all pixels, so that one picture's error
-along edges is one draw, not the mean of many: the middle is right, and single pictures are off by what the range says.
+Pictures by \`direct\` have their samples in the same places of all pixels, so that one picture's error along edges is one draw,
+not the mean of many: the middle is right, and single pictures are off by what the range says.
 
 ${table(['scene', 'integrator', 'samples', 'noise', 'estimated / true', 'range', 'tail index'], rows)}`;
 }
