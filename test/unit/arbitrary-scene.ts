@@ -5,10 +5,22 @@ import fc from 'fast-check';
 
 type Json = { [key: string]: unknown };
 
+/**
+ * A number as people write it, with few digits: in coarse steps or in fine ones. Of all doubles, nearly all are next to
+ * nothing.
+ */
+const between = (least: number, most: number): fc.Arbitrary<number> =>
+  fc.oneof(
+    ...[1e6, 1e3, 1]
+      .map((steps) => ({ steps, min: Math.ceil(least * steps), max: Math.floor(most * steps) }))
+      .filter(({ min, max }) => min <= max)
+      .map(({ steps, ...range }) => fc.integer(range).map((i) => Number((i / steps).toPrecision(6)))),
+  );
+
 const byKind = {
-  vector: fc.tuple(...[1, 2, 3].map(() => fc.double({ min: -100, max: 100, noNaN: true }).map(round))),
+  vector: fc.tuple(...[1, 2, 3].map(() => between(-100, 100))),
   color: fc.oneof(
-    fc.tuple(...[1, 2, 3].map(() => fc.double({ min: 0, max: 1, noNaN: true }).map(round))),
+    fc.tuple(...[1, 2, 3].map(() => between(0, 1))),
     fc.constantFrom('crimson', '#08f', 'rgb(10 20 30)', 'hsl(120 50% 50%)', 'color(srgb-linear 0.2 0.3 0.4)'),
   ),
   name: fc.constantFrom('a', 'b', 'ball'),
@@ -19,19 +31,12 @@ const byKind = {
   ),
 };
 
-/** A number as people write it: with few digits, and 0 where it is next to nothing. */
-function round(x: number): number {
-  return Math.abs(x) < 1e-6 ? 0 : Number(x.toPrecision(6));
-}
-
 /** A value that a field accepts, in its JSON form. */
 function valueFor({ kind, limits, read }: Fields[string]): fc.Arbitrary<unknown> {
   if (kind === 'choice') return fc.constantFrom(...(limits.choices ?? []));
   const { above = -100, min = above, max = 100 } = limits;
   const values: fc.Arbitrary<unknown> =
-    kind === 'number'
-      ? fc.double({ min: Math.max(min, -100), max: Math.min(max, 100), noNaN: true }).map(round)
-      : byKind[kind as keyof typeof byKind];
+    kind === 'number' ? between(Math.max(min, -100), Math.min(max, 100)) : byKind[kind as keyof typeof byKind];
   return values.filter((value) => !(read(value) instanceof Mismatch));
 }
 
