@@ -1,14 +1,13 @@
-import { expect, waitUntil } from '@open-wc/testing';
+import { expect } from '@open-wc/testing';
 import type { RayScene } from '../../packages/ray-scene/src/index.ts';
+import { until } from './element-fixtures.ts';
 
 const SCRIPT = new URL('../../packages/ray-scene/src/index.ts', import.meta.url).href;
 const BALL = '<ray-scene samples="1"><ray-sphere></ray-sphere></ray-scene>';
 
-/** Each frame loads all modules one by one, beside two other browsers that do. */
-const PATIENCE = { timeout: 60_000 };
-
 describe('a page with <ray-scene>', function () {
-  this.timeout(90_000);
+  // Each frame loads all modules one by one, beside two other browsers that do: on two cores that took a minute once.
+  this.timeout(300_000);
   let frame: HTMLIFrameElement;
   beforeEach(() => {
     frame = document.createElement('iframe');
@@ -30,7 +29,7 @@ describe('a page with <ray-scene>', function () {
     contentDocument.open();
     contentDocument.write(`<!doctype html><body><script type="module" async src="${SCRIPT}"></script>`);
     contentDocument.write('<ray-scene samples="1"><ray-sphere></ray-sphere>');
-    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', PATIENCE);
+    await until(() => element()?.shadowRoot);
     for (let i = 0; i < 5; i++) await new Promise((resolve) => contentWindow.requestAnimationFrame(resolve));
     expect(contentDocument.readyState).to.equal('loading');
     expect(element().scene).to.equal(undefined);
@@ -44,10 +43,10 @@ describe('a page with <ray-scene>', function () {
   it('may have a strict policy', async () => {
     frame.src = new URL('strict-policy.html', import.meta.url).href;
     document.body.append(frame);
-    await waitUntil(() => element(), 'the page is there', PATIENCE);
+    await until(() => element());
     const violations: string[] = [];
     page().addEventListener('securitypolicyviolation', (event) => violations.push(event.violatedDirective));
-    await waitUntil(() => element().shadowRoot, 'the elements are registered', PATIENCE);
+    await until(() => element().shadowRoot);
     await element().complete;
     expect(violations).to.deep.equal([]);
     expect(element().clientHeight).to.be.above(0);
@@ -57,7 +56,7 @@ describe('a page with <ray-scene>', function () {
   it('may bring markup and script in any order', async () => {
     frame.srcdoc = `<!doctype html>${BALL}<script type="module" src="${SCRIPT}"></script>`;
     document.body.append(frame);
-    await waitUntil(() => element()?.shadowRoot, 'the elements are registered', PATIENCE);
+    await until(() => element()?.shadowRoot);
     await element().complete;
     expect(element().scene?.objects).to.have.lengthOf(1);
   });
