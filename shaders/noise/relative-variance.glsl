@@ -6,7 +6,7 @@
 // this is σ² / (n a b). So a b (e - o)² is an estimate of σ² / n = Var(a e + b o), without bias: for halves of equal size
 // whatever the law by which they converge. It has one degree of freedom for each pixel and channel: its own standard
 // deviation is √2 times itself. Over the 3 × 262,144 of a picture of 512 × 512 that is a quarter of a percent where pixels
-// are independent, and more where they share their random numbers, as they do along edges.
+// are independent, and more where they share their random numbers, as they do along edges by `direct`.
 //
 // The mean under it is not known either, and a sample that is too bright makes both larger, so that their quotient would be
 // hardly 4, however rare and bright it was. What the four neighbours have in the mean knows nothing of that sample. But it
@@ -14,7 +14,8 @@
 // sample is not, and that of the pixel itself. That errs on the safe side, by half of what it tells: 4 % are said to be
 // 4.08 %. Up to the brighter half it would not; but beside lamps, whose edges few samples meet, it would tell half of it.
 // Measured on all examples and truth pictures with 24 pictures each of 96 × 64 pixels, at 16, 64 and 256 samples: estimated
-// over true error is within 0.8 to 1.25 in 98 of 111 cases, with the true mean under it in 94, with the pixel's own in 76.
+// over true error was within 0.8 to 1.25 in 98 of 111 cases, with the true mean under it in 94, with the pixel's own in 76.
+// That was when all pixels of `path` had the same places for their samples; how it is now tells docs/what-accuracy-costs.md.
 // Precision: f32; what may leave the range of half floats is told by its root.
 #include "accumulated.glsl"
 
