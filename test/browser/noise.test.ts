@@ -88,6 +88,28 @@ for (const precision of ['float', 'half'] as const) {
       expect(error / expected).to.be.closeTo(1, 0.1);
     });
 
+    for (const [bright, dark] of [
+      [15, 0.1],
+      [15, 0],
+      [100, 0.1],
+      [2, 0.1],
+    ] as const) {
+      it(`knows of the edge of a lamp of ${bright} beside ${dark}, of which some pixels have met nothing`, () => {
+        const [width, height, samples] = [64, 600, 16];
+        const lamp = (row: string) => `20.0 + fract(${row} * 0.618)`;
+        const color = `vec4(vec3(gl_FragCoord.x - 0.5 + random() < ${lamp('gl_FragCoord.y')} ? float(${bright}) : float(${dark})), 1)`;
+        let sum = 0;
+        for (let y = 0.5; y < height; y++) {
+          const share = (y * 0.618) % 1;
+          const mean = dark + share * (bright - dark);
+          sum += (share * (1 - share) * (bright - dark) ** 2) / (mean ** 2 + 0.01);
+        }
+        const expected = Math.sqrt(sum / (width * height) / samples);
+        // Without what stands for those pixels it tells 0.85, 0.77, 0.70 and 1 of it.
+        expect(noiseOf(color, samples, { width, height }).error / expected).to.be.within(0.95, 1.35);
+      });
+    }
+
     it('is relative where the picture is bright, absolute where it is dark', () => {
       const errorAt = (exposure: number): number => noiseOf('vec4(vec3(0.5 + random()), 1)', 16, { exposure }).error;
       const expected = (exposure: number): number => Math.sqrt(1 / 12 / 16 / (1 + 0.01 / exposure ** 2));

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { hash } from '../../packages/core/src/random.ts';
-import { relativeNoise, tailIndex } from '../bench/calibration/tail.ts';
+import { noisyPixels, relativeNoise, tailIndex } from '../bench/calibration/tail.ts';
 import { readOptions, USAGE } from '../bench/options.ts';
 import { beating, type Choice, frontOf, sceneChoices } from '../bench/trade/front.ts';
 import { BASE } from '../bench/trade/knobs.ts';
@@ -169,6 +169,32 @@ describe('the tail of errors', () => {
     const { spread } = pictures((u) => u);
     const mean = 1.5;
     assert.ok(Math.abs(relativeNoise(spread, spread) / Math.sqrt(1 / 12 / (mean ** 2 + 0.01)) - 1) < 0.02);
+  });
+});
+
+describe('the pixels that hold the noise', () => {
+  /** Two pictures of black pixels, each channel off by as much as it is told. */
+  function twoPictures(errors: readonly number[]): Spread {
+    const spread = new Spread(3 * errors.length);
+    for (const sign of [-1, 1])
+      spread.add(Float32Array.from({ length: spread.length }, (_, i) => sign * (errors[Math.floor(i / 3)] as number)));
+    return spread;
+  }
+
+  it('are all where all have equally much, and those that have any where others have none', () => {
+    for (const [errors, count] of [
+      [[1, 1, 1, 1, 1], 5],
+      [[0, 2, 0, 0, 2], 2],
+      [[0, 0, 7], 1],
+    ] as const) {
+      const spread = twoPictures(errors);
+      assert.ok(Math.abs(noisyPixels(spread, spread) - count) < 1e-9);
+    }
+  });
+
+  it('are about one where one has nearly all of it', () => {
+    const spread = twoPictures([0.1, 0.1, 10, 0.1]);
+    assert.ok(noisyPixels(spread, spread) < 1.01);
   });
 });
 

@@ -5,9 +5,10 @@ export type StopReason = 'samples' | 'error' | 'time';
 
 /**
  * With fewer samples, noise is not asked whether it is low enough: a lamp that only one path in ten finds has not been
- * found by any of a few, and all of them agree on darkness.
+ * found by any of a few, and all of them agree on darkness. With so many, all examples that have a variance know their
+ * noise, or think that they have more; and of twice as many, some would be better than a page has asked for.
  */
-export const FEWEST_SAMPLES = 16;
+export const FEWEST_SAMPLES = 8;
 
 /** How far a picture is. */
 export interface Standing {

@@ -2,9 +2,10 @@
  * `npm run bench -- --only calibration`: whether pictures know their noise. Every example, by both integrators, and every
  * scene of the truth is drawn many times with other random numbers.
  *
- * What counts are scenes of finite variance: those whose tail index (`tailIndex`) is above 2, which is told by the true
- * errors alone. All rows are told, those that do not count as well. A very rare event that no picture of a row met is not in
- * its tail index either.
+ * What counts are scenes of finite variance: those whose tail index (`tailIndex`) is above 2; and of them the rows whose noise
+ * is that of so many pixels that chance leaves it within the limits: an estimate has one degree of freedom for each pixel
+ * that is noisy. Both are told by the true errors alone. All rows are told, those that do not count as well. A very rare
+ * event that no picture of a row met is not in its tail index either.
  */
 import type { BenchBrowser } from '../browser-pages.ts';
 import { type BenchSubject, gallerySubjects, truthSubjects } from './subjects.ts';
@@ -35,7 +36,9 @@ export interface Calibration {
   readonly least: number;
   readonly most: number;
   readonly tailIndex: number;
-  /** Whether its variance is finite, and the row counts. */
+  /** How many pixels hold the noise. */
+  readonly pixels: number;
+  /** Whether its variance is finite and not that of a few pixels, and the row counts. */
   readonly judged: boolean;
 }
 
@@ -43,6 +46,8 @@ export const LEAST_RATIO = 0.8;
 export const MOST_RATIO = 1.25;
 /** Below it a distribution has no variance. */
 const FINITE = 2;
+/** With fewer degrees of freedom k, the standard deviation of an estimated error, 1 / √(2 k) of it, is more than the limit. */
+export const LEAST_PIXELS = 1 / (2 * (1 - LEAST_RATIO) ** 2);
 /** Nobody sees less, and rounding is noise as well. */
 const LEAST_NOISE = 1e-4;
 
@@ -88,25 +93,33 @@ function rowsOf(
       least: sorted[0] as number,
       most: sorted.at(-1) as number,
       tailIndex: known.tailIndex,
-      judged: known.tailIndex > FINITE,
+      pixels: known.pixels[i] as number,
+      judged: known.tailIndex > FINITE && (known.pixels[i] as number) >= LEAST_PIXELS,
     };
   });
   return rows.filter(({ noise }) => noise > LEAST_NOISE);
 }
+
+export const hasVariance = ({ tailIndex }: Calibration): boolean => tailIndex > FINITE;
 
 export const isRight = ({ ratio }: Calibration): boolean => ratio >= LEAST_RATIO && ratio <= MOST_RATIO;
 
 function printRows(rows: readonly Calibration[]): void {
   const [first] = rows;
   if (!first) return;
-  const { scene, integrator, tailIndex, judged } = first;
+  const { scene, integrator, tailIndex } = first;
   const ratios = rows.map((row) => `${row.ratio.toFixed(2)}${isRight(row) ? ' ' : '!'}`.padStart(7));
-  const kind = judged ? '' : ', variance not finite';
-  console.log(`${scene.padEnd(26)}${integrator.padEnd(8)}${ratios.join('')}   tail ${tailIndex.toFixed(1)}${kind}`);
+  const kind = hasVariance(first) ? '' : ', variance not finite';
+  const pixels = rows.map((row) => row.pixels.toFixed(0)).join(' ');
+  console.log(
+    `${scene.padEnd(26)}${integrator.padEnd(8)}${ratios.join('')}   tail ${tailIndex.toFixed(1)}${kind}; pixels ${pixels}`,
+  );
 }
 
 function printFoot(rows: readonly Calibration[]): void {
   const judged = rows.filter((row) => row.judged);
   const right = (some: readonly Calibration[]): string => `${some.filter(isRight).length} of ${some.length}`;
-  console.log(`within ${LEAST_RATIO} to ${MOST_RATIO}: ${right(judged)} of finite variance, ${right(rows)} of all`);
+  console.log(
+    `within ${LEAST_RATIO} to ${MOST_RATIO}: ${right(judged)} of finite variance in enough pixels, ${right(rows)} of all`,
+  );
 }

@@ -7,7 +7,7 @@ import { type PackedImage, unpackedImages } from '../../truth/images/packed-imag
 import { BASE } from '../trade/knobs.ts';
 import { Picture } from '../trade/picture.ts';
 import { Spread } from '../trade/statistics.ts';
-import { relativeNoise, tailIndex } from './tail.ts';
+import { noisyPixels, relativeNoise, tailIndex } from './tail.ts';
 
 export interface Subject {
   /** JSON text. */
@@ -26,6 +26,8 @@ export interface Task {
 export interface Known {
   /** By the numbers of samples. */
   readonly noise: readonly number[];
+  /** How many pixels hold it. */
+  readonly pixels: readonly number[];
   /** What each picture said, over what was true. */
   readonly ratios: readonly (readonly number[])[];
   /** Of the pictures with the most samples. */
@@ -52,7 +54,8 @@ export function calibrate({ subject, samples, seeds }: Task): Known {
   const best = spreads.at(-1) as Spread;
   const noise = spreads.map((spread) => relativeNoise(spread, best));
   const ratios = stages.map(({ told }, i) => told.map((error) => error / (noise[i] as number)));
-  return { noise, ratios, tailIndex: tailIndex(stages.at(-1)?.pictures ?? [], best) };
+  const pixels = spreads.map((spread) => noisyPixels(spread, best));
+  return { noise, pixels, ratios, tailIndex: tailIndex(stages.at(-1)?.pictures ?? [], best) };
 }
 
 function spreadOf(pictures: readonly Float32Array[]): Spread {

@@ -1,4 +1,4 @@
-/** The true noise of pictures, and whether their variance is finite as far as they tell. */
+/** The true noise of pictures, whether their variance is finite as far as they tell, and how many pixels hold it. */
 import { relativeTo, type Spread } from '../trade/statistics.ts';
 
 /** Root of the mean of variance / (mean² + ε), the mean being that of the pictures that are known best. */
@@ -6,6 +6,21 @@ export function relativeNoise(spread: Spread, best: Spread): number {
   let sum = 0;
   for (let i = 0; i < spread.length; i++) sum += spread.variance(i) / relativeTo(best.mean(i));
   return Math.sqrt(sum / spread.length);
+}
+
+/**
+ * How many pixels hold the variance: as many as if it were the same in those and nothing in others, (Σ v)² / Σ v² of the
+ * relative variances v of pixels (the participation ratio).
+ */
+export function noisyPixels(spread: Spread, best: Spread): number {
+  let sum = 0;
+  let squares = 0;
+  for (let i = 0; i < spread.length; i += 3) {
+    const ofPixel = [i, i + 1, i + 2].reduce((total, at) => total + spread.variance(at) / relativeTo(best.mean(at)), 0);
+    sum += ofPixel;
+    squares += ofPixel ** 2;
+  }
+  return sum ** 2 / squares;
 }
 
 /**

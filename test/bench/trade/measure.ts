@@ -11,8 +11,9 @@ export const TRADE_PAGE = { entry: 'test/bench/trade/page.ts', name: 'trade' } a
 
 export interface TradePlan extends PacePlan {
   readonly variants: readonly Variant[];
-  /** For the pictures that all others are held to. */
+  /** For the pictures that all others are held to: so many at least. */
   readonly convergeMs: number;
+  readonly runs: number;
   /** For the pictures with few samples of the first setting: all have as many. */
   readonly settingMs: number;
   /** For the pictures with many samples of one setting: what takes longer is not drawn. */
@@ -22,6 +23,7 @@ export interface TradePlan extends PacePlan {
 export const THOROUGH_TRADE: TradePlan = {
   variants: VARIANTS,
   convergeMs: 20_000,
+  runs: 8,
   settingMs: 1500,
   manyMs: 10_000,
   rounds: 5,
@@ -31,7 +33,8 @@ export const THOROUGH_TRADE: TradePlan = {
 
 export const QUICK_TRADE: TradePlan = {
   variants: QUICK_VARIANTS,
-  convergeMs: 800,
+  convergeMs: 400,
+  runs: 4,
   settingMs: 300,
   manyMs: 0,
   rounds: 3,
@@ -97,28 +100,27 @@ const openSetting = (page: BenchPage, setting: Setting) => page.execute((one) =>
 /** Of pictures whose spread is looked at. */
 const LEAST_SEEDS = 2;
 const MOST_SEEDS = 8;
-/** Converged pictures that there are at least, and binary logarithm of the fewest samples that each of them has. */
-const LEAST_RUNS = 8;
+/** Binary logarithm of the fewest samples of a converged picture. */
 const LEAST_POWER = 3;
 
 /** Of the time for converged pictures, what those by `direct` may take: they tell which pixels are rare, and no more. */
 const DIRECT_SHARE = 1 / 8;
 
 /** Draws what all settings are held to. */
-async function converge(page: BenchPage, { convergeMs }: TradePlan) {
-  await convergeBy(page, 'direct', convergeMs * DIRECT_SHARE);
-  const converged = await convergeBy(page, 'path', convergeMs * (1 - DIRECT_SHARE));
+async function converge(page: BenchPage, { convergeMs, runs }: TradePlan) {
+  await convergeBy(page, 'direct', runs, convergeMs * DIRECT_SHARE);
+  const converged = await convergeBy(page, 'path', runs, convergeMs * (1 - DIRECT_SHARE));
   const { noise } = await page.execute(() => trade.judgeBy(), undefined);
   return { ...converged, noise };
 }
 
 /** Until the time is up: pictures of 2^k samples, whose random numbers are the most even ones. */
-async function convergeBy(page: BenchPage, integrator: Setting['integrator'], milliseconds: number) {
+async function convergeBy(page: BenchPage, integrator: Setting['integrator'], least: number, milliseconds: number) {
   const end = performance.now() + milliseconds;
   const pace = await page.execute((by) => trade.paceOf(by), integrator);
-  const samples = 2 ** Math.max(Math.floor(Math.log2(milliseconds / (LEAST_RUNS * pace))), LEAST_POWER);
+  const samples = 2 ** Math.max(Math.floor(Math.log2(milliseconds / (least * pace))), LEAST_POWER);
   let runs = 0;
-  for (; runs < LEAST_RUNS || performance.now() < end; runs++) {
+  for (; runs < least || performance.now() < end; runs++) {
     await page.execute((task) => trade.converge(task), { integrator, samples });
   }
   return { pace, samples: runs * samples, runs };

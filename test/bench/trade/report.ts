@@ -1,5 +1,5 @@
 /** `docs/what-accuracy-costs.md`, as text. */
-import { type Calibration, isRight } from '../calibration/calibration.ts';
+import { type Calibration, hasVariance, isRight, LEAST_PIXELS } from '../calibration/calibration.ts';
 import { biasOf, chanceOf, type Governed, stoppingOf } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
 import type { SceneTrade, Trade } from './measure.ts';
@@ -140,23 +140,29 @@ function calibrationSection(calibration: readonly Calibration[]): string {
     percent(row.noise),
     `${ratio(row.ratio)}${isRight(row) ? '' : row.judged ? ' **!**' : ' !'}`,
     `${ratio(row.least)} to ${ratio(row.most)}`,
-    `${row.tailIndex.toFixed(1)}${row.judged ? '' : ': not finite'}`,
+    `${row.tailIndex.toFixed(1)}${hasVariance(row) ? '' : ': not finite'}`,
+    `${row.pixels.toFixed(0)}${row.pixels < LEAST_PIXELS ? ': too few' : ''}`,
   ]);
   const right = (some: readonly Calibration[]): string => `${some.filter(isRight).length} of ${some.length}`;
   return `## Does a picture know its noise?
 
 What \`stats.error\` said over what the noise was: the middle of several pictures, and the range of them. It is to be within 0.8
-and 1.25 where the variance is finite. It is so in ${right(calibration.filter(({ judged }) => judged))} cases, and in ${right(calibration)} of all.
+and 1.25 where the variance is finite. It is so in ${right(calibration.filter(hasVariance))} such cases, in ${right(calibration.filter(({ judged }) => judged))} of those in which the noise
+is not that of a few pixels, and in ${right(calibration)} of all.
 
 Whether the variance is finite is not seen from the estimates, but from how fast large errors become rare: where one larger than
 x has a probability in proportion to x^-α, α must be above 2. It is estimated (Hill 1975) from the √n largest errors of all
 pixels of all pictures with the most samples. Where it is 2 or less, pictures in which a rare path has not been met cannot know
 of it: they say less than there is until it is met.
 
+How many pixels hold the noise is (Σ v)² / Σ v² of their true relative variances v. An estimate has one degree of freedom for
+each of them: where they are fewer than ${LEAST_PIXELS.toFixed(1)}, chance alone takes it beyond the limits, and the truth as well, of which so few
+pictures are known. So it is where the corner of a lamp is a two-hundredth of one pixel.
+
 Pictures by \`direct\` have their samples in the same places of all pixels, so that one picture's error along edges is one draw,
 not the mean of many: the middle is right, and single pictures are off by what the range says.
 
-${table(['scene', 'integrator', 'samples', 'noise', 'estimated / true', 'range', 'tail index'], rows)}`;
+${table(['scene', 'integrator', 'samples', 'noise', 'estimated / true', 'range', 'tail index', 'pixels'], rows)}`;
 }
 
 function stoppingSection(stopping: readonly Governed[]): string {
