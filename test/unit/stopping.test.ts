@@ -73,6 +73,21 @@ test('samples that go where the error is leave less of it than as many that go e
   );
 });
 
+test('cells with equally many samples are drawn one after the other, those with fewest first', () => {
+  const cells = new Cells(256, 64);
+  for (let i = 0; i < 16; i++) cells.add(cells.whole);
+  const order = new AdaptiveOrder(noiseOf(cells, [1, 0.5, 0.2, 1, 0.7]));
+  const drawn: number[] = [];
+  while (cells.rays < 64 * 256 * 64) {
+    const tile = order.next(cells, 2, 1000) as Tile;
+    drawn.push(cells.countOf(tile));
+    cells.add(tile);
+  }
+  const descents = drawn.filter((count, i) => count < (drawn[i - 1] ?? 0)).length;
+  // Goals are set anew with each wave of a twentieth, and only then may any cell fall behind the others.
+  assert.ok(descents > 0 && descents <= Math.ceil(Math.log(64 / 16) / Math.log(1.05)), `${descents}`);
+});
+
 test('cells of half the spread get half the samples, calm ones a quarter of the mean, none more than it may', () => {
   const cells = new Cells(128, 32);
   for (let i = 0; i < 16; i++) cells.add(cells.whole);

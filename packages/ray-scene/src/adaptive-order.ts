@@ -32,7 +32,8 @@ export class AdaptiveOrder {
   readonly #spreads: Float64Array;
   readonly #goals: Uint32Array;
   readonly #pays: boolean;
-  /** Where the last tile ended. */
+  /** How many samples those cells have that are drawn now, and where the last tile ended. */
+  #level = Infinity;
   #at = 0;
 
   /** @param noise of the picture, as last measured. */
@@ -54,19 +55,24 @@ export class AdaptiveOrder {
     return this.#tile(cells, most) ?? (this.#setGoals(cells, cap) ? this.#tile(cells, most) : undefined);
   }
 
-  /** Some cells of one row that have equally many samples, and want more. */
-  #tile({ counts, columns }: Cells, most: number): Tile | undefined {
-    const wants = (i: number) => (counts[i] as number) < (this.#goals[i] as number);
-    for (let step = 0; step < counts.length; step++) {
-      const first = (this.#at + step) % counts.length;
-      if (!wants(first)) continue;
+  /**
+   * Some cells of one row that have equally many samples, and want more. Those with fewest come first: all whose next sample
+   * has the same number are drawn one after the other, so that one target takes them all.
+   */
+  #tile(cells: Cells, most: number): Tile | undefined {
+    const { counts, columns } = cells;
+    const isNext = (i: number) => counts[i] === this.#level && this.#level < (this.#goals[i] as number);
+    for (let first = this.#at; first < counts.length; first++) {
+      if (!isNext(first)) continue;
       const longest = Math.min(most, columns - (first % columns));
       let count = 1;
-      while (count < longest && wants(first + count) && counts[first + count] === counts[first]) count++;
+      while (count < longest && isNext(first + count)) count++;
       this.#at = first + count;
       return { first, count };
     }
-    return undefined;
+    this.#at = 0;
+    this.#level = counts.reduce((a, b, i) => (b < (this.#goals[i] as number) ? Math.min(a, b) : a), Infinity);
+    return this.#level < Infinity ? this.#tile(cells, most) : undefined;
   }
 
   /** Distributes a wave of samples so that the counts come as near to being proportional to spreads as they can. */

@@ -8,6 +8,7 @@
  * event that no picture of a row met is not in its tail index either.
  */
 import type { BenchBrowser } from '../browser-pages.ts';
+import type { Stage } from './page.ts';
 import { type BenchSubject, gallerySubjects, truthSubjects } from './subjects.ts';
 
 declare const calibration: typeof import('./page.ts');
@@ -16,14 +17,20 @@ declare const calibration: typeof import('./page.ts');
 export const CALIBRATION_PAGE = { entry: 'test/bench/calibration/page.ts', name: 'calibration' } as const;
 
 export interface CalibrationPlan {
-  readonly samples: readonly number[];
-  readonly seeds: number;
+  readonly stages: readonly Stage[];
   /** Whether the scenes of the truth are drawn as well. */
   readonly truth: boolean;
 }
 
-export const THOROUGH_CALIBRATION: CalibrationPlan = { samples: [16, 64, 256], seeds: 12, truth: true };
-export const QUICK_CALIBRATION: CalibrationPlan = { samples: [16], seeds: 4, truth: false };
+export const THOROUGH_CALIBRATION: CalibrationPlan = {
+  stages: [
+    { samples: 16, seeds: 12 },
+    { samples: 64, seeds: 8 },
+    { samples: 256, seeds: 4 },
+  ],
+  truth: true,
+};
+export const QUICK_CALIBRATION: CalibrationPlan = { stages: [{ samples: 16, seeds: 3 }], truth: false };
 
 export interface Calibration {
   readonly scene: string;
@@ -54,12 +61,13 @@ const LEAST_NOISE = 1e-4;
 export async function measureCalibration(
   browser: BenchBrowser,
   scenes: readonly { readonly name: string; readonly scene: string }[],
-  { samples, seeds, truth }: CalibrationPlan,
+  { stages, truth }: CalibrationPlan,
 ): Promise<readonly Calibration[]> {
-  console.log(`\nestimated over true noise at ${samples.join(', ')} samples, ${seeds} pictures of 96 × 64 pixels`);
+  const plan = stages.map(({ samples, seeds }) => `${samples} samples (${seeds} pictures)`);
+  console.log(`\nestimated over true noise of pictures of 96 × 64 pixels at ${plan.join(', ')}`);
   const subjects = [...gallerySubjects(scenes), ...(truth ? await truthSubjects() : [])];
   const rows: Calibration[] = [];
-  for (const one of subjects) rows.push(...(await measureSubject(browser, one, { samples, seeds })));
+  for (const one of subjects) rows.push(...(await measureSubject(browser, one, stages)));
   printFoot(rows);
   return rows;
 }
@@ -67,27 +75,27 @@ export async function measureCalibration(
 export async function measureSubject(
   browser: BenchBrowser,
   { name, subject }: BenchSubject,
-  { samples, seeds }: Pick<CalibrationPlan, 'samples' | 'seeds'>,
+  stages: readonly Stage[],
 ): Promise<readonly Calibration[]> {
   const page = await browser.open();
-  const known = await page.execute((task) => calibration.calibrate(task), { subject, samples, seeds });
+  const known = await page.execute((task) => calibration.calibrate(task), { subject, stages });
   await page.close();
-  const rows = rowsOf({ name, subject }, samples, known);
+  const rows = rowsOf({ name, subject }, stages, known);
   printRows(rows);
   return rows;
 }
 
 function rowsOf(
   { name, subject: { integrator } }: BenchSubject,
-  samples: readonly number[],
+  stages: readonly Stage[],
   known: ReturnType<typeof calibration.calibrate>,
 ): readonly Calibration[] {
-  const rows = samples.map((count, i) => {
+  const rows = stages.map(({ samples }, i) => {
     const sorted = [...(known.ratios[i] as readonly number[])].sort((a, b) => a - b);
     return {
       scene: name,
       integrator,
-      samples: count,
+      samples,
       noise: known.noise[i] as number,
       ratio: ((sorted[(sorted.length - 1) >> 1] as number) + (sorted[sorted.length >> 1] as number)) / 2,
       least: sorted[0] as number,

@@ -17,14 +17,20 @@ export interface Subject {
   readonly bounces: number;
 }
 
-export interface Task {
-  readonly subject: Subject;
-  readonly samples: readonly number[];
+/** How many pictures are looked at when they have so many samples. */
+export interface Stage {
+  readonly samples: number;
   readonly seeds: number;
 }
 
+export interface Task {
+  readonly subject: Subject;
+  /** With more samples, not more pictures. */
+  readonly stages: readonly Stage[];
+}
+
 export interface Known {
-  /** By the numbers of samples. */
+  /** By the stages. */
   readonly noise: readonly number[];
   /** How many pixels hold it. */
   readonly pixels: readonly number[];
@@ -36,15 +42,16 @@ export interface Known {
 
 let device: RenderDevice | undefined;
 
-export function calibrate({ subject, samples, seeds }: Task): Known {
+export function calibrate({ subject, stages: planned }: Task): Known {
   const { scene, images, integrator, bounces } = subject;
   device ??= new RenderDevice();
   const picture = new Picture(device, scene, { ...BASE, integrator, bounces }, unpackedImages(images));
-  const stages = samples.map((count) => ({ count, pictures: [] as Float32Array[], told: [] as number[] }));
-  for (let seed = 0; seed < seeds; seed++) {
+  const stages = planned.map((stage) => ({ ...stage, pictures: [] as Float32Array[], told: [] as number[] }));
+  for (let seed = 0; stages.some(({ seeds }) => seed < seeds); seed++) {
     picture.clear();
-    for (const { count, pictures, told } of stages) {
-      picture.drawTo(count, seed);
+    for (const { samples, seeds, pictures, told } of stages) {
+      if (seed >= seeds) break;
+      picture.drawTo(samples, seed);
       told.push(picture.estimate());
       pictures.push(picture.read());
     }

@@ -1,4 +1,6 @@
 /** `docs/what-accuracy-costs.md`, as text. */
+
+import { FEWEST_SAMPLES } from '../../../packages/ray-scene/src/stop-rules.ts';
 import { type Calibration, hasVariance, isRight, LEAST_PIXELS } from '../calibration/calibration.ts';
 import { biasOf, chanceOf, type Governed, stoppingOf } from '../governed.ts';
 import { type Choice, fastestWithin, frontOf, galleryChoices, sceneChoices } from './front.ts';
@@ -184,11 +186,11 @@ function stoppingSection(stopping: readonly Governed[]): string {
   return `## What comes of \`max-error\`
 
 Pictures that end when they say that their noise is what was asked, or with the samples that were allowed. With it, samples go
-where the error is from the 16th on: their mean over the pixels is beside that of pictures in which they do not. The times are
+where the error is from the ${FEWEST_SAMPLES + 1}th on: their mean over the pixels is beside that of pictures in which they do not. The times are
 over those of such pictures: that of the GPU on the clock, that which all processors spent, and the latter as if both had ended
 with the same true noise. Noise and bias are told over the error that was asked for. The noise is that which several pictures have
-between them; the bias is by how much adapted pictures differ in the mean from others, which stop by the same rule, and behind
-it stands what chance alone makes of none.
+between them; the bias is by how much adapted pictures differ in the mean from others with the same random numbers, which stop by the same
+rule, and behind it stands what chance alone makes of none.
 
 ${asked.map((error) => stoppingSummary(stopping.filter(({ maxError }) => maxError === error))).join('\n')}
 
