@@ -1,9 +1,18 @@
 import { expect } from '@open-wc/testing';
 import type { RayScene } from '../../packages/ray-scene/src/index.ts';
-import { until } from './element-fixtures.ts';
+import { middlePixel, overlayOf, QuietConsole, sceneWith, until } from './element-fixtures.ts';
 
 const SCRIPT = new URL('../../packages/ray-scene/src/index.ts', import.meta.url).href;
 const BALL = '<ray-scene samples="1"><ray-sphere></ray-sphere></ray-scene>';
+
+/** How the parts of an element are laid out: nothing of that is so without its style sheets. */
+function layoutOf(host: RayScene): readonly unknown[] {
+  const view = host.ownerDocument.defaultView;
+  const parts = ['canvas', 'error', 'stats'].map((name) => host.shadowRoot?.querySelector(`[part=${name}]`));
+  return [view?.getComputedStyle(host).display, ...parts.map((part) => part && view?.getComputedStyle(part).position)];
+}
+
+const LAID_OUT = ['block', 'absolute', 'absolute', 'absolute'];
 
 describe('a page with <ray-scene>', function () {
   // Each frame loads all modules one by one, beside two other browsers that do: on two cores that took a minute once.
@@ -51,6 +60,33 @@ describe('a page with <ray-scene>', function () {
     expect(violations).to.deep.equal([]);
     expect(element().clientHeight).to.be.above(0);
     expect(getComputedStyle(element()).display).to.equal('block');
+  });
+
+  it('may take over an element of another page, and give it back', async () => {
+    const quiet = new QuietConsole();
+    document.body.append(frame);
+    const content = '<ray-sphere></ray-sphere><ray-sphere radius="0"></ray-sphere>';
+    const guest = await sceneWith(content, 'show-stats');
+    const beside = await sceneWith(content, 'show-stats');
+    const home = guest.parentElement as HTMLElement;
+    await until(() => `${layoutOf(guest)}` === `${LAID_OUT}`);
+    // Away from all documents that are seen, then from one to the other and back.
+    const nowhere = document.implementation.createHTMLDocument();
+    for (const place of [nowhere.body, page().body, home, page().body]) {
+      place.append(guest);
+      if (place === nowhere.body) continue;
+      expect(layoutOf(guest).slice(0, 2)).to.deep.equal(['block', 'absolute']);
+      await until(() => `${layoutOf(guest)}` === `${LAID_OUT}`);
+      expect(overlayOf(guest)).to.match(/radius/);
+      expect(guest.shadowRoot?.adoptedStyleSheets).to.have.lengthOf(3);
+    }
+    expect(layoutOf(beside)).to.deep.equal(LAID_OUT);
+    guest.querySelector('[radius]')?.remove();
+    await guest.complete;
+    expect(middlePixel(guest)[3]).to.equal(255);
+    guest.remove();
+    expect(quiet.lines).to.have.lengthOf(2);
+    quiet.restore();
   });
 
   it('may bring markup and script in any order', async () => {

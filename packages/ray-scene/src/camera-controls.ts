@@ -131,9 +131,14 @@ export class CameraControls {
     else if (ARROWS[key]) this.#move((camera) => orbitCamera(camera, right * KEY_TURN, up * KEY_TURN));
     else if (key === '+' || key === '=') this.#zoomBy(1 / KEY_ZOOM);
     else if (key === '-' || key === '_') this.#zoomBy(KEY_ZOOM);
-    else if (key === 'Home' || key === '0') this.#set(undefined);
+    else if (key === 'Home' || key === '0') this.#startOver();
     else return;
     event.preventDefault();
+  }
+
+  #startOver(): void {
+    this.reset();
+    this.#set(undefined);
   }
 
   #zoomBy(factor: number): void {

@@ -16,8 +16,11 @@ export class Download<T> {
     this.credentials = credentials;
     this.read = read;
     const { signal } = this.#abort;
-    fetchGood(url, { credentials, signal })
-      .then(read)
+    fetch(url, { credentials, signal })
+      .then((answer) => {
+        if (!answer.ok) throw new Error(`${answer.status} ${answer.statusText}`.trim());
+        return read(answer);
+      })
       .then(
         (value) => ({ value }),
         (error: Error) => ({ problem: `could not be loaded: ${error.message}` }),
@@ -33,10 +36,4 @@ export class Download<T> {
   cancel(): void {
     this.#abort.abort();
   }
-}
-
-async function fetchGood(url: string, init: RequestInit): Promise<Response> {
-  const response = await fetch(url, init);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-  return response;
 }

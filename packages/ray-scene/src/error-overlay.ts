@@ -18,10 +18,11 @@ const style = `
 `;
 
 export class ErrorOverlay {
+  readonly #root: ShadowRoot;
   readonly #element = document.createElement('div');
 
   constructor(root: ShadowRoot) {
-    adoptStyles(root, style);
+    this.#root = root;
     this.#element.setAttribute('part', 'error');
     this.#element.setAttribute('role', 'alert');
     // A long text scrolls, so it can have the focus.
@@ -29,9 +30,11 @@ export class ErrorOverlay {
     root.append(this.#element);
   }
 
-  /** Undefined: nothing is wrong any more. */
-  show(text: string | undefined): void {
+  /** Undefined: nothing is wrong any more. The same text again is not read out again. */
+  show(text = ''): void {
+    adoptStyles(this.#root, style);
+    if (text === this.#element.textContent) return;
     this.#element.hidden = !text;
-    this.#element.textContent = text ?? '';
+    this.#element.textContent = text;
   }
 }

@@ -1,5 +1,5 @@
 /** The fields of the core's tables as properties and attributes of elements. */
-import { type Field, type Fields, Mismatch } from '@ray-scene/core';
+import { type Fields, Mismatch } from '@ray-scene/core';
 
 /** `checkerSize` as markup spells it: `checker-size`. */
 export const attributeOf = (field: string): string => field.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
@@ -21,11 +21,9 @@ export function defineFieldProperties(element: { readonly prototype: FieldHost }
   for (const [name, { kind }] of Object.entries(fields)) {
     Object.defineProperty(element.prototype, name, {
       get(this: FieldHost): unknown {
-        const field = this.fields[name] as Field<unknown>;
-        const value = this.given[name];
-        const read = value === undefined ? value : field.read(value);
+        const read = readAs(this, name, this.given[name]);
         // Frozen, as the table's own default must not change either.
-        return read === undefined || read instanceof Mismatch ? Object.freeze(field.default) : read;
+        return read === undefined || read instanceof Mismatch ? Object.freeze(this.fields[name]?.default) : read;
       },
       set(this: FieldHost, value: unknown) {
         if (kind !== 'choice') give(this, name, value);
@@ -38,19 +36,25 @@ export function defineFieldProperties(element: { readonly prototype: FieldHost }
   }
 }
 
+/** What a field makes of a value: a `Mismatch` where it cannot be read, undefined where there is none. */
+export const readAs = ({ fields }: FieldHost, name: string, value: unknown): unknown =>
+  value === undefined || value === null ? undefined : fields[name]?.read(value);
+
 /** Takes a value for a field; null and undefined bring its default back. Arrays are copied. */
 export function give(host: FieldHost, name: string, value: unknown): void {
-  const read = value === undefined || value === null ? undefined : host.fields[name]?.read(value);
+  const read = readAs(host, name, value);
   host.given[name] = read instanceof Mismatch ? value : read;
   host.fieldChanged();
 }
 
 /** Takes over what was set as plain properties before the class of the element was known. */
 export function adoptEarlyProperties(host: HTMLElement, names: readonly string[]): void {
+  const properties = host as unknown as { [name: string]: unknown };
   for (const name of names) {
-    if (!Object.hasOwn(host, name)) continue;
-    const value: unknown = Reflect.get(host, name);
-    Reflect.deleteProperty(host, name);
-    Reflect.set(host, name, value);
+    if (Object.hasOwn(properties, name)) {
+      const value = properties[name];
+      delete properties[name];
+      properties[name] = value;
+    }
   }
 }

@@ -52,12 +52,7 @@ export class Orbit implements ReactiveController {
     if (!canvas || this.#loading || !(this.#host.cameraControls || this.#host.autoRotate)) return;
     this.#loading = true;
     import('./camera-controls.ts').then(({ CameraControls }) => {
-      this.#controls = new CameraControls(
-        this.#host,
-        canvas,
-        (camera) => (camera ? this.#set(camera) : this.reset()),
-        this.#changed,
-      );
+      this.#controls = new CameraControls(this.#host, canvas, (camera) => this.#set(camera), this.#changed);
       this.#changed();
     }, reportError);
   }

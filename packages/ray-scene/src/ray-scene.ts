@@ -8,6 +8,7 @@ import {
   type Scene,
   SceneError,
 } from '@ray-scene/core';
+import { adoptStyles } from './adopt-styles.ts';
 import { type CanvasHost, CanvasSize, canvasOf } from './canvas-size.ts';
 import { adoptEarlyProperties, attributeOf } from './field-properties.ts';
 import { type Frame, FrameLoop } from './frame-loop.ts';
@@ -25,6 +26,7 @@ import { SettingsElement } from './settings-element.ts';
 import { ShadowTree } from './shadow-tree.ts';
 import { SceneSource, type SourceHost } from './source.ts';
 import { StatsDisplay } from './stats-display.ts';
+import { styles } from './styles.ts';
 
 const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true });
 
@@ -193,6 +195,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
 
   override connectedCallback(): void {
     super.connectedCallback();
+    adoptStyles(this.renderRoot as ShadowRoot, styles);
     adoptEarlyProperties(this, [...Object.keys(this.fields), 'scene', 'camera']);
     this.#failure = undefined;
     this.requestUpdate();
@@ -212,7 +215,7 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
     const root = super.createRenderRoot() as ShadowRoot;
     this.#shadow = new ShadowTree(root);
     new Pointing(this, this.#shadow.canvas);
-    new StatsDisplay(this);
+    new StatsDisplay(this, root);
     return root;
   }
 

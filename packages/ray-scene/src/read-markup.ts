@@ -44,9 +44,11 @@ function place(scene: Element, element: Element): string {
 const ANYWHERE =
   /^(?:id|class|style|slot|part|exportparts|title|lang|dir|hidden|inert|tabindex|role|is|item[a-z]+|nonce|draggable|translate|popover|autofocus|accesskey|contenteditable|spellcheck|xmlns|[^a-z].*|[a-z]{1,2}[-:].*|(?:aria|data|defer)-.*|on.*)$/;
 
-/** The attributes of an element that mean nothing on it. */
-export const unknownAttributes = (element: Element, known: readonly string[]): string[] =>
-  element.getAttributeNames().filter((name) => !known.includes(name) && !ANYWHERE.test(name));
+/** The attributes of an element of ours that mean nothing on it. */
+export function unknownAttributes(element: Element): string[] {
+  const { observedAttributes } = element.constructor as typeof SceneElement;
+  return element.getAttributeNames().filter((name) => !observedAttributes.includes(name) && !ANYWHERE.test(name));
+}
 
 const tags = Object.keys(sceneElements);
 
@@ -155,9 +157,4 @@ class MarkupReader implements Markup {
 
 /** Attributes that mean nothing, for `parseScene` to complain about. */
 const strangers = (element: SceneElement): { readonly [field: string]: unknown } =>
-  Object.fromEntries(
-    unknownAttributes(element, Object.keys(element.fields).map(attributeOf)).map((name) => [
-      fieldOf(name),
-      element.getAttribute(name),
-    ]),
-  );
+  Object.fromEntries(unknownAttributes(element).map((name) => [fieldOf(name), element.getAttribute(name)]));

@@ -18,10 +18,12 @@ export class ErrorReport {
   /** Loads what it takes to be sure that something is wrong, and to show it; undefined: it is all there, or not to be had. */
   load(): Promise<unknown> | undefined {
     if (ErrorReport.#isLoaded) return undefined;
-    const overlay = async () => {
-      ErrorReport.#Overlay = (await import('./error-overlay.ts')).ErrorOverlay;
-    };
-    ErrorReport.#loading ??= Promise.all([loadWords(), overlay()])
+    ErrorReport.#loading ??= Promise.all([
+      loadWords(),
+      import('./error-overlay.ts').then(({ ErrorOverlay }) => {
+        ErrorReport.#Overlay = ErrorOverlay;
+      }),
+    ])
       .catch(reportError)
       .then(() => {
         ErrorReport.#isLoaded = true;
@@ -31,12 +33,12 @@ export class ErrorReport {
 
   /** All that is wrong now, or undefined. What was told before and has not changed is not told again. */
   tell(error: Error | undefined): void {
+    const { shadowRoot } = this.#host;
+    if (error && ErrorReport.#Overlay && shadowRoot) this.#overlay ??= new ErrorReport.#Overlay(shadowRoot);
+    this.#overlay?.show(error?.message);
     if (error?.message === this.#error?.message) return;
     const known = lines(this.#error);
     this.#error = error;
-    const { shadowRoot } = this.#host;
-    if (ErrorReport.#Overlay && shadowRoot) this.#overlay ??= new ErrorReport.#Overlay(shadowRoot);
-    this.#overlay?.show(error?.message);
     if (!error) return;
     for (const line of lines(error)) if (!known.includes(line)) console.error(line);
     this.#host.dispatchEvent(new RaySceneErrorEvent(error));

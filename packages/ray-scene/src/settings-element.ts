@@ -9,7 +9,7 @@ import {
   settingsOf,
 } from '@ray-scene/core';
 import type { RaySceneEvents } from './events.ts';
-import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give } from './field-properties.ts';
+import { attributeOf, defineFieldProperties, type FieldHost, fieldOf, give, readAs } from './field-properties.ts';
 import { unknownAttributes } from './read-markup.ts';
 
 const names = Object.keys(settingsFields);
@@ -39,20 +39,13 @@ class LitSettingsElement extends ReactiveElement implements FieldHost {
   get attributeProblems(): readonly Problem[] {
     const known = (this.constructor as typeof LitSettingsElement).observedAttributes;
     const where = this.localName;
-    const unknown = unknownAttributes(this, known).map((name) => {
-      return {
-        path: [],
-        where,
-        message: say('unknownField', 'attribute', name, where, known),
-      };
-    });
-    const unreadable = Object.entries(settingsFields).flatMap(([name, field]) => {
+    const unknown = unknownAttributes(this).map((name) => say('unknownField', 'attribute', name, where, known));
+    const unreadable = names.flatMap((name) => {
       const value = this.given[name];
-      const read = value === undefined ? undefined : field.read(value);
-      if (!(read instanceof Mismatch)) return [];
-      return [{ path: [], where, message: read.sentence(attributeOf(name), value) }];
+      const read = readAs(this, name, value);
+      return read instanceof Mismatch ? read.sentence(attributeOf(name), value) : [];
     });
-    return [...unknown, ...unreadable];
+    return [...unknown, ...unreadable].map((message) => ({ path: [], where, message }));
   }
 
   override attributeChangedCallback(attribute: string, before: string | null, text: string | null): void {

@@ -1,6 +1,4 @@
 /** What `<ray-scene>` is made of inside. So little changes there that templates would be most of the code. */
-import { adoptStyles } from './adopt-styles.ts';
-import { styles } from './styles.ts';
 
 export interface ShadowState {
   /** What the picture shows, in words. */
@@ -28,7 +26,6 @@ export class ShadowTree {
     this.#poster.append(poster);
     this.#nodes.append(make('slot', {}));
     root.append(this.canvas, this.#poster, this.#nodes);
-    adoptStyles(root, styles);
   }
 
   show({ label, keys, hasWebGL, hasPicture, poster }: ShadowState): void {

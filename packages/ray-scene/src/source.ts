@@ -161,8 +161,7 @@ const jsonIn = (place: string): SourceWords => ({
   spell: (field) => field,
 });
 
-const isJsonScript = (element: Element): boolean =>
-  element instanceof HTMLScriptElement && element.type === 'application/json';
+const isJsonScript = (element: Element): boolean => element.matches('script[type="application/json"]');
 
 /** Whether the parser of the page is past the end of a node. */
 function isParsed(node: Node): boolean {

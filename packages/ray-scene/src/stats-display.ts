@@ -8,21 +8,22 @@ interface Host extends StatsHost, ReactiveControllerHost {
 /** Loads the panel of `show-stats` when an element first asks for it. */
 export class StatsDisplay implements ReactiveController {
   readonly #host: Host;
-  #panel: StatsPanel | undefined;
-  #loading = false;
+  readonly #root: ShadowRoot;
+  #panel: Promise<StatsPanel> | undefined;
 
-  constructor(host: Host) {
+  constructor(host: Host, root: ShadowRoot) {
     this.#host = host;
+    this.#root = root;
     host.addController(this);
   }
 
   hostUpdated(): void {
-    const { shadowRoot, showStats } = this.#host;
-    if (this.#panel) this.#panel.hidden = !showStats;
-    if (!showStats || this.#loading || !shadowRoot) return;
-    this.#loading = true;
-    import('./stats-panel.ts').then(({ StatsPanel }) => {
-      this.#panel = new StatsPanel(this.#host, shadowRoot);
+    const { showStats } = this.#host;
+    if (showStats) {
+      this.#panel ??= import('./stats-panel.ts').then(({ StatsPanel }) => new StatsPanel(this.#host, this.#root));
+    }
+    this.#panel?.then((panel) => {
+      panel.hidden = !showStats;
     }, reportError);
   }
 }

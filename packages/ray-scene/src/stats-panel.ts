@@ -92,6 +92,7 @@ export function curveOf(points: readonly Point[]): string {
 
 export class StatsPanel {
   readonly #host: StatsHost;
+  readonly #root: ShadowRoot;
   readonly #panel = document.createElement('div');
   readonly #list = document.createElement('dl');
   readonly #curve = document.createElementNS(SVG, 'svg');
@@ -101,7 +102,7 @@ export class StatsPanel {
 
   constructor(host: StatsHost, root: ShadowRoot) {
     this.#host = host;
-    adoptStyles(root, style);
+    this.#root = root;
     // A group that can be read when one comes to it; numbers that change all the time are not to be called out.
     for (const [name, value] of Object.entries({
       part: 'stats',
@@ -120,7 +121,9 @@ export class StatsPanel {
     this.#show(false);
   }
 
+  /** To be told after every update, as the element may have come into another document. */
   set hidden(hidden: boolean) {
+    adoptStyles(this.#root, style);
     if (hidden === this.#panel.hidden) return;
     this.#panel.hidden = hidden;
     this.#show(false);
