@@ -147,6 +147,16 @@ const schemaFile = {
   },
 };
 
+/** What the elements take, for editors and for viewers of documentation. */
+const customElementsFile = {
+  name: 'custom-elements-file',
+  async generateBundle() {
+    const { customElementsManifest } = await import('./docs/custom-elements.ts');
+    const source = `${JSON.stringify(customElementsManifest(), undefined, 2)}\n`;
+    this.emitFile({ type: 'asset', fileName: 'custom-elements.json', source });
+  },
+};
+
 function modules(folder, input, ...more) {
   const dependencies = Object.keys(manifest(folder).dependencies);
   const external = (id) => dependencies.some((name) => id === name || id.startsWith(`${name}/`));
@@ -219,11 +229,15 @@ export default [
     },
     schemaFile,
   ),
-  ...modules('packages/ray-scene', {
-    index: 'packages/ray-scene/src/index.ts',
-    element: 'packages/ray-scene/src/element.ts',
-    renderer: 'packages/ray-scene/src/renderer.ts',
-  }),
+  ...modules(
+    'packages/ray-scene',
+    {
+      index: 'packages/ray-scene/src/index.ts',
+      element: 'packages/ray-scene/src/element.ts',
+      renderer: 'packages/ray-scene/src/renderer.ts',
+    },
+    customElementsFile,
+  ),
   entryFile('packages/core', 'reference.min', 'packages/core/src/reference/index.ts'),
   entryFile('packages/ray-scene', 'ray-scene.min', 'packages/ray-scene/src/index.ts', LIT),
   wholeFile('packages/ray-scene', 'ray-scene.whole.min', 'packages/ray-scene/src/index.ts', LIT),

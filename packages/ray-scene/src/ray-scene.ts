@@ -41,11 +41,11 @@ const flag = (attribute: string) => ({ attribute, type: Boolean, reflect: true }
  * @csspart error - What is wrong, in words.
  * @csspart stats - The panel of `show-stats`.
  * @csspart stats-curve - Its curve of error against time.
- * @cssprop --ray-scene-error-color
- * @cssprop --ray-scene-error-background
- * @cssprop --ray-scene-stats-color
- * @cssprop --ray-scene-stats-background
- * @cssprop --ray-scene-focus-ring - An outline.
+ * @cssprop --ray-scene-error-color - Of the text that says what is wrong.
+ * @cssprop --ray-scene-error-background - Behind that text.
+ * @cssprop --ray-scene-stats-color - Of the text and the curve of `show-stats`.
+ * @cssprop --ray-scene-stats-background - Behind them.
+ * @cssprop --ray-scene-focus-ring - The outline of what has the focus.
  */
 export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, SceneHost, SourceHost {
   static override readonly properties: PropertyDeclarations = {
