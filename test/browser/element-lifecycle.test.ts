@@ -208,6 +208,8 @@ describe('accessibility of <ray-scene>', () => {
   const states: { readonly [name: string]: readonly [content: string, attributes: string] } = {
     'a picture': [BALL, 'alt="A red ball"'],
     'a picture without a name': [BALL, ''],
+    'a decoration': [BALL, 'alt=""'],
+    'a decoration with controls': [BALL, 'alt="" camera-controls'],
     'a picture with controls': [BALL, 'alt="A red ball" camera-controls'],
     'an error': ['<ray-sphere radius="0"></ray-sphere>', 'alt="A red ball"'],
   };
@@ -239,6 +241,24 @@ describe('accessibility of <ray-scene>', () => {
     expect(await label()).to.equal('A planet');
     element.alt = 'A red ball';
     expect(await label()).to.equal('A red ball');
+  });
+
+  it('is a decoration where its author says so, but not what can have the focus', async () => {
+    const element = await sceneWith(BALL, 'alt=""');
+    const told = async (): Promise<readonly (string | null)[]> => {
+      await element.ready;
+      await element.updateComplete;
+      return ['role', 'aria-label'].map((name) => canvasIn(element).getAttribute(name));
+    };
+    expect(await told()).to.deep.equal(['none', null]);
+    element.cameraControls = true;
+    expect(await told()).to.deep.equal(['img', 'Ray-traced scene']);
+    element.scene = { name: 'A planet', objects: [{ type: 'sphere' }] };
+    expect(await told()).to.deep.equal(['img', 'A planet']);
+    element.cameraControls = false;
+    expect(await told()).to.deep.equal(['none', null]);
+    element.removeAttribute('alt');
+    expect(await told()).to.deep.equal(['img', 'A planet']);
   });
 
   it('lets parts of a scene have the focus', async () => {

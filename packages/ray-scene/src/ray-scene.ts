@@ -65,7 +65,10 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
   declare src: string | null;
   /** As on `<img>`: with `use-credentials`, cookies are sent to other origins too. */
   declare crossOrigin: string | null;
-  /** What the picture shows, in words. */
+  /**
+   * What the picture shows, in words; null: the name of the scene. Empty: as on `<img>`, nothing that has to be told, but
+   * with `camera-controls`, as what can have the focus must have a name.
+   */
   declare alt: string | null;
   /** Address of an image, shown until there is a picture. */
   declare poster: string | null;
@@ -221,8 +224,9 @@ export class RayScene extends SettingsElement implements CanvasHost, OrbitHost, 
 
   protected override update(changed: PropertyValues<this>): void {
     super.update(changed);
+    const name = this.#scene?.name || 'Ray-traced scene';
     this.#shadow?.show({
-      label: this.alt || this.#scene?.name || 'Ray-traced scene',
+      label: this.cameraControls ? this.alt || name : (this.alt ?? name),
       keys: this.cameraControls,
       hasWebGL: !this.#lacksWebGL,
       hasPicture: this.#hasPicture,

@@ -25,11 +25,7 @@ export function isSceneMarkup(element: Element): boolean {
   );
 }
 
-export function readMarkup(scene: Element): Markup {
-  const reader = new MarkupReader(scene);
-  for (const child of scene.children) reader.read(child);
-  return reader;
-}
+export const readMarkup = (scene: Element): Markup => new MarkupReader(scene);
 
 /** `ray-scene > ray-sphere[2]`: the index counts from 1 among siblings of the same tag, if there are several. */
 function place(scene: Element, element: Element): string {
@@ -81,6 +77,7 @@ class MarkupReader implements Markup {
 
   constructor(scene: Element) {
     this.#scene = scene;
+    for (const child of scene.children) this.#read(child);
   }
 
   elementOf(path: Problem['path']): Element | undefined {
@@ -92,13 +89,13 @@ class MarkupReader implements Markup {
     return { ...this.#singles, lights, objects, materials: Object.fromEntries(this.#materials) };
   }
 
-  read(element: Element, group = this.#root): void {
+  #read(element: Element, group = this.#root): void {
     if (!isSceneMarkup(element)) return;
     let inside = group;
     if (element instanceof SceneElement) inside = this.#node(element, group);
     else this.#unknown(element);
     // What stands inside of anything but a group was meant to stand beside: what else is wrong with it is told too.
-    for (const child of element.children) this.read(child, inside);
+    for (const child of element.children) this.#read(child, inside);
   }
 
   /** Returns the group that the element's children are in. */

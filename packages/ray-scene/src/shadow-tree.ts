@@ -1,7 +1,7 @@
 /** What `<ray-scene>` is made of inside. So little changes there that templates would be most of the code. */
 
 export interface ShadowState {
-  /** What the picture shows, in words. */
+  /** What the picture shows, in words; empty: nothing that has to be told. */
   readonly label: string;
   /** Whether keys look around. */
   readonly keys: boolean;
@@ -15,7 +15,7 @@ export interface ShadowState {
 export const KEYS_ID = 'keys';
 
 export class ShadowTree {
-  readonly canvas = make('canvas', { part: 'canvas', role: 'img' });
+  readonly canvas = make('canvas', { part: 'canvas' });
   readonly #image = make('img', { alt: '' });
   readonly #poster = make('div', { part: 'poster' });
   readonly #nodes = make('div', {});
@@ -29,29 +29,37 @@ export class ShadowTree {
   }
 
   show({ label, keys, hasWebGL, hasPicture, poster }: ShadowState): void {
-    set(this.canvas, 'aria-label', label);
-    set(this.canvas, 'aria-describedby', keys ? KEYS_ID : null);
-    set(this.canvas, 'tabindex', keys ? '0' : null);
+    set(this.canvas, {
+      role: label ? 'img' : 'none',
+      'aria-label': label || null,
+      'aria-describedby': keys ? KEYS_ID : null,
+      tabindex: keys ? '0' : null,
+    });
     this.canvas.hidden = !hasWebGL;
     this.#poster.hidden = hasPicture || !hasWebGL;
-    set(this.#image, 'src', poster);
+    set(this.#image, { src: poster });
     this.#image.hidden = !poster;
     // Without a picture, whatever else the author put there is shown in its place.
     this.#nodes.classList.toggle('nodes', hasWebGL);
   }
 }
 
-function make<K extends keyof HTMLElementTagNameMap>(
-  tag: K,
-  attributes: { readonly [name: string]: string },
-): HTMLElementTagNameMap[K] {
+/** By name; null: none. */
+interface Attributes {
+  readonly [name: string]: string | null;
+}
+
+function make<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  set(element, attributes);
   return element;
 }
 
-function set(element: Element, name: string, value: string | null): void {
-  if (element.getAttribute(name) === value) return;
-  if (value === null) element.removeAttribute(name);
-  else element.setAttribute(name, value);
+function set(element: Element, attributes: Attributes): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    // An address that is set again is loaded again.
+    if (element.getAttribute(name) === value) continue;
+    if (value === null) element.removeAttribute(name);
+    else element.setAttribute(name, value);
+  }
 }
