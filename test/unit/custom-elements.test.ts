@@ -89,6 +89,17 @@ test('its CSS properties are those that its styles ask for, with the same defaul
   assert.deepEqual(listed.sort(), asked.map(([, name, value]) => [name, value]).sort());
 });
 
+test('the README names what can be styled, filled and listened to', () => {
+  const readme = readFileSync('README.md', 'utf8');
+  const { cssParts = [], cssProperties = [], events = [], slots = [] } = scene ?? {};
+  const told = [...cssParts, ...cssProperties, ...events].map(({ name }) => `\`${name}\``);
+  const filled = slots.filter(({ name }) => name).map(({ name }) => `\`slot="${name}"\``);
+  assert.deepEqual(
+    [...told, ...filled].filter((text) => !readme.includes(text)),
+    [],
+  );
+});
+
 test('its events are those of its classes of events', () => {
   const problem = new Error('none');
   const events = [
