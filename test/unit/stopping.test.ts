@@ -57,10 +57,10 @@ test('samples that go where the error is leave less of it than as many that go e
       for (let i = 0; i < 16; i++) cells.add(cells.whole);
       const order = new AdaptiveOrder(noiseOf(cells, spreads));
       while (cells.rays < 64 * 256 * 256) {
-        const tile = order.next(cells, most, 1000);
-        if (!tile) break;
-        assert.ok(tile.count <= most);
-        cells.add(tile);
+        const tiles = order.next(cells, most, 1000);
+        if (!tiles) break;
+        assert.ok(tiles.reduce((sum, { count }) => sum + count, 0) <= most);
+        for (const tile of tiles) cells.add(tile);
       }
       const even = spreads.reduce(
         (sum, s, i) => sum + s ** 2 * [...cells.counts].filter((_, j) => j % spreads.length === i).length,
@@ -79,9 +79,11 @@ test('cells with equally many samples are drawn one after the other, those with 
   const order = new AdaptiveOrder(noiseOf(cells, [1, 0.5, 0.2, 1, 0.7]));
   const drawn: number[] = [];
   while (cells.rays < 64 * 256 * 64) {
-    const tile = order.next(cells, 2, 1000) as Tile;
-    drawn.push(cells.countOf(tile));
-    cells.add(tile);
+    const tiles = order.next(cells, 2, 1000) as readonly Tile[];
+    for (const tile of tiles) {
+      drawn.push(cells.countOf(tile));
+      cells.add(tile);
+    }
   }
   const descents = drawn.filter((count, i) => count < (drawn[i - 1] ?? 0)).length;
   // Goals are set anew with each wave of a twentieth, and only then may any cell fall behind the others.
@@ -92,12 +94,15 @@ test('cells of half the spread get half the samples, calm ones a quarter of the 
   const cells = new Cells(128, 32);
   for (let i = 0; i < 16; i++) cells.add(cells.whole);
   const order = new AdaptiveOrder(noiseOf(cells, [1, 0.5, 1, 0]));
-  while (cells.rays < 200 * 128 * 32) cells.add(order.next(cells, 4, 1000) as Tile);
+  const add = (tiles: readonly Tile[]) => {
+    for (const tile of tiles) cells.add(tile);
+  };
+  while (cells.rays < 200 * 128 * 32) add(order.next(cells, 4, 1000) as readonly Tile[]);
   const [first, second, third, calm] = cells.counts as unknown as [number, number, number, number];
   assert.ok(Math.abs(first / third - 1) <= 0.25);
   assert.ok(Math.abs(Math.log2(first / second) - 1) <= Math.log2(1.25));
   assert.ok(calm > 16 && calm < second);
-  for (let tile = order.next(cells, 4, 400); tile; tile = order.next(cells, 4, 400)) cells.add(tile);
+  for (let tiles = order.next(cells, 4, 400); tiles; tiles = order.next(cells, 4, 400)) add(tiles);
   assert.ok(cells.counts.every((count) => count === 400));
 });
 

@@ -53,20 +53,22 @@ export class Accumulation {
     this.#weighed = false;
   }
 
-  /** Adds the sample that `draw` draws, of every pixel or only of those in a tile. Its number is the tile's count. */
-  add(draw: () => void, tile: Tile = this.cells.whole): void {
+  /**
+   * Adds the sample that `draw` draws of every pixel, or only of those in some tiles, once for each of them. Its number is
+   * the count of the tiles, which have equally many.
+   */
+  add(draw: () => void, tiles: readonly Tile[] = [this.cells.whole]): void {
     const gl = this.#gl;
-    const index = this.cells.countOf(tile);
+    const index = this.cells.countOf(tiles[0] as Tile);
     (this.#halves[index & 1] as FloatTarget).bind();
     this.#blend(index >> 1);
-    const isPart = tile.count < this.cells.whole.count;
-    if (isPart) {
-      gl.enable(gl.SCISSOR_TEST);
+    gl.enable(gl.SCISSOR_TEST);
+    for (const tile of tiles) {
       gl.scissor(...this.cells.rectangleOf(tile));
+      draw();
+      this.cells.add(tile);
     }
-    draw();
-    if (isPart) gl.disable(gl.SCISSOR_TEST);
-    this.cells.add(tile);
+    gl.disable(gl.SCISSOR_TEST);
     this.#weighed = false;
   }
 

@@ -32,9 +32,6 @@ export class AdaptiveOrder {
   readonly #spreads: Float64Array;
   readonly #goals: Uint32Array;
   readonly #pays: boolean;
-  /** How many samples those cells have that are drawn now, and where the last tile ended. */
-  #level = Infinity;
-  #at = 0;
 
   /** @param noise of the picture, as last measured. */
   constructor({ cells, counts }: Pick<Noise, 'cells' | 'counts'>) {
@@ -46,33 +43,32 @@ export class AdaptiveOrder {
   }
 
   /**
-   * The next tile to draw, of at most so many cells; undefined: all have as many samples as they may have, or are so much
-   * alike that they are to have equally many.
+   * The next tiles to draw, of at most so many cells together, which have equally many samples; undefined: all have as many
+   * as they may have, or are so much alike that they are to have equally many.
    * @param cap samples that a pixel is to have at most.
    */
-  next(cells: Cells, most: number, cap: number): Tile | undefined {
+  next(cells: Cells, most: number, cap: number): readonly Tile[] | undefined {
     if (!this.#pays) return undefined;
-    return this.#tile(cells, most) ?? (this.#setGoals(cells, cap) ? this.#tile(cells, most) : undefined);
+    return this.#tiles(cells, most) ?? (this.#setGoals(cells, cap) ? this.#tiles(cells, most) : undefined);
   }
 
-  /**
-   * Some cells of one row that have equally many samples, and want more. Those with fewest come first: all whose next sample
-   * has the same number are drawn one after the other, so that one target takes them all.
-   */
-  #tile(cells: Cells, most: number): Tile | undefined {
-    const { counts, columns } = cells;
-    const isNext = (i: number) => counts[i] === this.#level && this.#level < (this.#goals[i] as number);
-    for (let first = this.#at; first < counts.length; first++) {
+  /** Of the cells that want more, those with fewest samples, in pieces of one row: one sample, one target takes them all. */
+  #tiles({ counts, columns }: Cells, most: number): readonly Tile[] | undefined {
+    const wants = (i: number) => (counts[i] as number) < (this.#goals[i] as number);
+    const fewest = counts.reduce((least, count, i) => (wants(i) ? Math.min(least, count) : least), Infinity);
+    const isNext = (i: number) => counts[i] === fewest && wants(i);
+    const tiles: Tile[] = [];
+    let left = most;
+    for (let first = 0; first < counts.length && left > 0; first++) {
       if (!isNext(first)) continue;
-      const longest = Math.min(most, columns - (first % columns));
+      const longest = Math.min(left, columns - (first % columns));
       let count = 1;
       while (count < longest && isNext(first + count)) count++;
-      this.#at = first + count;
-      return { first, count };
+      tiles.push({ first, count });
+      first += count - 1;
+      left -= count;
     }
-    this.#at = 0;
-    this.#level = counts.reduce((a, b, i) => (b < (this.#goals[i] as number) ? Math.min(a, b) : a), Infinity);
-    return this.#level < Infinity ? this.#tile(cells, most) : undefined;
+    return tiles.length > 0 ? tiles : undefined;
   }
 
   /** Distributes a wave of samples so that the counts come as near to being proportional to spreads as they can. */

@@ -2,7 +2,7 @@
 import { cameraFrame, loadPaths, loadShaderParts, requirementsKey } from '@ray-scene/core';
 import { Accumulation } from './accumulation.ts';
 import type { AdaptiveOrder } from './adaptive-order.ts';
-import { CELL_PIXELS } from './cells.ts';
+import { CELL_PIXELS, type Tile } from './cells.ts';
 import { Pace } from './pace.ts';
 import type { RenderDevice } from './render-device.ts';
 import type { SceneTextures } from './scene-textures.ts';
@@ -149,22 +149,24 @@ export class Sampling {
     let pixels = 0;
     const hasTime = (): boolean =>
       this.pace.isKnown && pixels + CELL_PIXELS <= room && performance.now() - start < budgetMs;
-    do pixels += this.#addTile(accumulation, room - pixels, most, order);
+    do pixels += this.#addTiles(accumulation, room - pixels, most, order);
     while (accumulation.samples < most && hasTime());
     return pixels;
   }
 
-  #addTile(accumulation: Accumulation, room: number, most: number, order: AdaptiveOrder | undefined): number {
+  #addTiles(accumulation: Accumulation, room: number, most: number, order: AdaptiveOrder | undefined): number {
     const { camera } = this.#view.resolved;
     const { width, height, cells } = accumulation;
+    const { rays } = cells;
     const fitting = room < width * height ? Math.max(1, Math.floor(room / CELL_PIXELS)) : Infinity;
-    const tile = order?.next(cells, fitting, most) ?? cells.next(fitting);
+    const tiles = order?.next(cells, fitting, most) ?? [cells.next(fitting)];
     // A function of the sample alone, so that tiles make no difference.
     const { seed, clamp } = this.#view.settings;
-    const sample = cells.countOf(tile);
-    const frame = cameraFrame(camera, width, height);
-    accumulation.add(() => this.#tracer?.draw(frame, { sample, seed, clamp }), tile);
-    return cells.pixelsOf(tile);
+    const sample = cells.countOf(tiles[0] as Tile);
+    const tracer = this.#tracer as Tracer;
+    tracer.use(cameraFrame(camera, width, height), { sample, seed, clamp });
+    accumulation.add(() => tracer.drawPixels(), tiles);
+    return cells.rays - rays;
   }
 
   #tracerOfView(): Tracer {

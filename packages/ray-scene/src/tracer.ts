@@ -62,11 +62,21 @@ export class Tracer {
 
   /** Draws one sample of every pixel into the bound framebuffer. */
   draw(view: CameraFrame, sample?: SampleNumber): void {
+    this.use(view, sample);
+    this.drawPixels();
+  }
+
+  /** Makes a sample what `drawPixels` draws, until another program is in use. */
+  use(view: CameraFrame, sample?: SampleNumber): void {
     this.#program.use();
     this.#view.write(packView(view, this.#view.layout, this.#frame, sample));
     this.#scene.bind();
     this.#view.bind();
     this.#textures?.bind(this.#program);
+  }
+
+  /** Draws it, of every pixel that the scissor lets through: as often as there are tiles. */
+  drawPixels(): void {
     this.#gl.drawArrays(this.#gl.TRIANGLES, 0, 3);
   }
 
