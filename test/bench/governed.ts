@@ -20,9 +20,12 @@ interface Size {
   readonly height: number;
 }
 
-/** 96 cells; 40 where many samples are wanted, so that there is time for several pictures. */
+/**
+ * That of a small picture in a page, 600 cells: of fewer, nearly all have an edge in them. Where many samples are wanted it
+ * is 40, so that there is time for several pictures, and what it brings to draw unevenly is told to be less than it is.
+ */
 const sizeFor = (maxError: number): Size =>
-  maxError < 0.03 ? { width: 128, height: 80 } : { width: 192, height: 128 };
+  maxError < 0.03 ? { width: 128, height: 80 } : { width: 480, height: 320 };
 
 /** Turns in which two pictures of each kind are drawn: so many at most, and none begins after so long. */
 const TURNS = 8;
