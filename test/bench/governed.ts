@@ -21,11 +21,17 @@ interface Size {
 }
 
 /**
- * That of a small picture in a page, 600 cells: of fewer, nearly all have an edge in them. Where many samples are wanted it
- * is 40, so that there is time for several pictures, and what it brings to draw unevenly is told to be less than it is.
+ * From that of a small picture in a page, 600 cells, down: of few cells nearly all have an edge in them, and it is told to
+ * bring less than it does that they are drawn unevenly.
  */
-const sizeFor = (maxError: number): Size =>
-  maxError < 0.03 ? { width: 128, height: 80 } : { width: 480, height: 320 };
+const SIZES: readonly Size[] = [
+  { width: 480, height: 320 },
+  { width: 192, height: 128 },
+  { width: 128, height: 80 },
+];
+/** A scene gets the largest in which a picture takes no longer, as far as a few samples tell. */
+const PICTURE_MS = 60_000;
+const FEW_SAMPLES = 20;
 
 /** Turns in which two pictures of each kind are drawn: so many at most, and none begins after so long. */
 const TURNS = 8;
@@ -82,17 +88,22 @@ export async function measureGoverned(
   return results;
 }
 
+const SMALLEST = SIZES.at(-1) as Size;
+
+/** By a picture of a few samples at the smallest size. */
+function sizeFor({ gpuMs, stats }: Stop, maxError: number): Size {
+  const pictures = ((stats.error ?? 0) / maxError) ** 2 * gpuMs;
+  const msAt = ({ width, height }: Size): number => (pictures * width * height) / (SMALLEST.width * SMALLEST.height);
+  return SIZES.find((size) => msAt(size) <= PICTURE_MS) ?? SMALLEST;
+}
+
 async function measureScene(page: BenchPage, scene: string, maxError: number, settings: Partial<RenderSettings>) {
-  const size = sizeFor(maxError);
-  const stop = (adapts: boolean, seed: number, more: Partial<RenderSettings> = {}): Promise<Stop> =>
-    page.execute((task) => governed.stop(task), {
-      ...size,
-      scene,
-      settings: { ...settings, seed, ...more },
-      adapts,
-    });
-  // Drivers compile again for what they meet first, as adding to what is there.
-  await stop(true, 1000, { samples: 20 });
+  const stopAt = (size: Size, adapts: boolean, more: Partial<RenderSettings>): Promise<Stop> =>
+    page.execute((task) => governed.stop(task), { ...size, scene, settings: { ...settings, ...more }, adapts });
+  // The first time for drivers, which compile again for what they meet first, as adding to what is there.
+  for (const seed of [1000, 1001]) await stopAt(SMALLEST, true, { seed, samples: FEW_SAMPLES });
+  const size = sizeFor(await stopAt(SMALLEST, false, { seed: 1002, samples: FEW_SAMPLES }), maxError);
+  const stop = (adapts: boolean, seed: number) => stopAt(size, adapts, { seed });
   await page.execute(() => governed.begin(), undefined);
   const pictures = { even: [] as Drawn[], adapted: [] as Drawn[] };
   const draw = async (adapts: boolean, seed: number): Promise<void> => {
@@ -142,14 +153,17 @@ interface Drawn {
 
 const mean = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0) / values.length;
 
-const median = (values: readonly number[]): number => [...values].sort((a, b) => a - b)[values.length >> 1] as number;
+function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  return mean([sorted[(sorted.length - 1) >> 1] as number, sorted[sorted.length >> 1] as number]);
+}
 
 const WIDTH = 9;
 
 function printHead(maxError: number): void {
-  const { width, height } = sizeFor(maxError);
-  console.log(`\nmax-error ${maxError} at ${width} × ${height}: even and adapted; noise and bias over what was asked`);
+  console.log(`\nmax-error ${maxError}: even and adapted; noise and bias over what was asked`);
   const names = [
+    'pixels',
     'samples',
     'adapted',
     'GPU time',
@@ -167,6 +181,7 @@ function printHead(maxError: number): void {
 
 function print(row: Governed): void {
   const cells = [
+    `${row.width}x${row.height}`,
     row.evenSamples.toFixed(0),
     row.adaptedSamples.toFixed(0),
     row.timeRatio.toFixed(2),

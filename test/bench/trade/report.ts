@@ -188,9 +188,10 @@ function stoppingSection(stopping: readonly Governed[]): string {
 Pictures that end when they say that their noise is what was asked, or with the samples that were allowed. With it, samples go
 where the error is from the ${FEWEST_SAMPLES + 1}th on: their mean over the pixels is beside that of pictures in which they do not. The times are
 over those of such pictures: that of the GPU on the clock, that which all processors spent, and the latter as if both had ended
-with the same true noise. Noise and bias are told over the error that was asked for. The noise is that which several pictures have
-between them; the bias is by how much adapted pictures differ in the mean from others with the same random numbers, which stop by the same
-rule, and behind it stands what chance alone makes of none.
+with the same true noise. Noise and bias are told over the error that was asked for. The noise is that which several pictures
+have between them; the bias is by how much adapted pictures differ in the mean from others with the same random numbers, which
+stop by the same rule, and behind it stands what chance alone makes of none. Pictures are as large as one of them takes no
+longer than a minute: cells of 16 × 16 pixels are more alike the fewer they are.
 
 ${asked.map((error) => stoppingSummary(stopping.filter(({ maxError }) => maxError === error))).join('\n')}
 
@@ -200,10 +201,11 @@ ${table(['scene', 'asked', 'pixels', 'samples', 'adapted', 'GPU time', 'CPU time
 function stoppingSummary(rows: readonly Governed[]): string {
   const { times, near, early, below, above, bias, biasAtMost } = stoppingOf(rows);
   const [gpu, cpu, equal] = times.map((time) => time.toFixed(2));
-  return `- Asked for ${percent(rows[0]?.maxError ?? 0)}, ${rows.length} scenes: the medians are ${gpu} of the GPU's time, ${cpu} of the processors', and ${equal} for equal
-  noise. The true noise is within a quarter of what was asked in ${near}; in ${early} the fewest samples that are ever drawn are enough, and
-  it is below. The bias is below a tenth of what was asked by two standard errors in ${below}, above it by two in ${above}; of all scenes together (the root of the mean of the squares) it is ${bias.toFixed(2)}, and
-  at most ${biasAtMost.toFixed(2)}.`;
+  return `- Asked for ${percent(rows[0]?.maxError ?? 0)}, ${rows.length} scenes: the medians are ${gpu} of the GPU's time, ${cpu} of the
+  processors', and ${equal} for equal noise. The true noise is within a quarter of what was asked in ${near}; in ${early} the fewest
+  samples that are ever drawn are enough, and it is below. The bias is below a tenth of what was asked by two standard errors
+  in ${below}, above it by two in ${above}; of all scenes together (the root of the mean of the squares) it is ${bias.toFixed(2)}, and at
+  most ${biasAtMost.toFixed(2)}.`;
 }
 
 const star = ({ measured }: Choice): string => (measured ? '' : ' \\*');
