@@ -137,25 +137,23 @@ function onLog(level, log, handle) {
   handle(level === 'warn' ? 'error' : level, log);
 }
 
-/** The JSON Schema of scene files, for editors. */
-const schemaFile = {
-  name: 'schema-file',
+/** A file of JSON beside the modules; what makes it is loaded when they are there. */
+const jsonFile = (fileName, make) => ({
+  name: fileName,
   async generateBundle() {
-    const { sceneJsonSchema } = await import('./packages/core/src/json-schema.ts');
-    const source = `${JSON.stringify(sceneJsonSchema(), undefined, 2)}\n`;
-    this.emitFile({ type: 'asset', fileName: 'scene.schema.json', source });
+    this.emitFile({ type: 'asset', fileName, source: `${JSON.stringify(await make(), undefined, 2)}\n` });
   },
-};
+});
+
+/** The JSON Schema of scene files, for editors. */
+const schemaFile = jsonFile('scene.schema.json', async () =>
+  (await import('./packages/core/src/json-schema.ts')).sceneJsonSchema(),
+);
 
 /** What the elements take, for editors and for viewers of documentation. */
-const customElementsFile = {
-  name: 'custom-elements-file',
-  async generateBundle() {
-    const { customElementsManifest } = await import('./docs/custom-elements.ts');
-    const source = `${JSON.stringify(customElementsManifest(), undefined, 2)}\n`;
-    this.emitFile({ type: 'asset', fileName: 'custom-elements.json', source });
-  },
-};
+const customElementsFile = jsonFile('custom-elements.json', async () =>
+  (await import('./docs/custom-elements.ts')).customElementsManifest(),
+);
 
 function modules(folder, input, ...more) {
   const dependencies = Object.keys(manifest(folder).dependencies);
