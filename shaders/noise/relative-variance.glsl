@@ -22,8 +22,8 @@
 // ln((A² + ε) / (d² + ε)) / 2, over the square of A. Along the edge of a lamp 15 or 100 times as bright as white in the
 // dark, 16 samples tell 1.2 and 1.3 of the noise that they have; without this, 0.9 and 0.8 (noise.test.ts).
 //
-// docs/what-accuracy-costs.md tells how it is in all examples. Of a caustic under a glass ball, 16 samples tell 1.18 of the
-// noise; with four neighbours they would tell 1.30.
+// docs/what-accuracy-costs.md tells how it is in all examples. With four neighbours, 16 samples of a caustic under a glass
+// ball would tell a tenth more.
 // Precision: f32; what may leave the range of half floats is told by its root.
 #include "accumulated.glsl"
 

@@ -88,11 +88,13 @@ for (const precision of ['float', 'half'] as const) {
       expect(error / expected).to.be.closeTo(1, 0.1);
     });
 
-    for (const [bright, dark] of [
-      [15, 0.1],
-      [15, 0],
-      [100, 0.1],
-      [2, 0.1],
+    // What it tells over what there is, by a simulation of 1,800 pixels of an edge; without what stands for those that have met
+    // nothing of the lamp, this picture tells 0.85, 0.77, 0.70 and 1.
+    for (const [bright, dark, told] of [
+      [15, 0.1, 1.2],
+      [15, 0, 1.08],
+      [100, 0.1, 1.32],
+      [2, 0.1, 1],
     ] as const) {
       it(`knows of the edge of a lamp of ${bright} beside ${dark}, of which some pixels have met nothing`, () => {
         const [width, height, samples] = [64, 600, 16];
@@ -105,8 +107,8 @@ for (const precision of ['float', 'half'] as const) {
           sum += (share * (1 - share) * (bright - dark) ** 2) / (mean ** 2 + 0.01);
         }
         const expected = Math.sqrt(sum / (width * height) / samples);
-        // Without what stands for those pixels it tells 0.85, 0.77, 0.70 and 1 of it.
-        expect(noiseOf(color, samples, { width, height }).error / expected).to.be.within(0.95, 1.35);
+        // Of 600 pixels of an edge: up to 8 % by chance.
+        expect(noiseOf(color, samples, { width, height }).error / expected).to.be.closeTo(told, 0.12);
       });
     }
 

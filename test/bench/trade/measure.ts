@@ -11,8 +11,9 @@ export const TRADE_PAGE = { entry: 'test/bench/trade/page.ts', name: 'trade' } a
 
 export interface TradePlan extends PacePlan {
   readonly variants: readonly Variant[];
-  /** For the pictures that all others are held to: so many at least. */
+  /** For the pictures that all others are held to. */
   readonly convergeMs: number;
+  /** How many of these there are at least. */
   readonly runs: number;
   /** For the pictures with few samples of the first setting: all have as many. */
   readonly settingMs: number;
